@@ -104,7 +104,7 @@ def test_the_graph_asks_a_network_where_it_is_unsure_and_c_answers_as_both(tmp_p
         assert (answers == expected).mean() >= (1.0 if fixed is None else 0.98)
     with pytest.raises(InputError, match=r"the network: \$.observation: .*; accepted: alcohol, malic_acid"):
         wine(network=MLPClassifier((4,), max_iter=2000))[0].model_.export_c(tmp_path / "other", network=model.network_)
-    with pytest.raises(InputError, match=r"the graph: \$.actions: 0 actions that ask; accepted: one"):
+    with pytest.raises(InputError, match=r"the graph: \$.actions: no action that asks, as the last; accepted: one"):
         alone.model_.export_c(tmp_path / "other", network=model.network_)
     assert not (tmp_path / "other").exists()
 

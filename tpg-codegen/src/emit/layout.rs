@@ -24,7 +24,7 @@ const WIDTH: usize = 100;
 
 /// Breaks assignments that are wider than a line: behind the sign, or else before operators that bind least: all of them, or as rustfmt
 /// does only the last ones that are the same, where what is before them fits into the line.
-pub(crate) fn wrap(text: &str, as_rustfmt: bool) -> String {
+pub(super) fn wrap(text: &str, as_rustfmt: bool) -> String {
     let broken = |line: &str| if line.len() > WIDTH { broken(line, as_rustfmt) } else { line.to_owned() };
     text.lines().map(|line| broken(line) + "\n").collect()
 }

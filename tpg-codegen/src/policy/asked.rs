@@ -5,10 +5,10 @@ use super::network::QuantisedPolicy;
 use super::plain::to_plain_c;
 use crate::Options;
 use crate::emit::c::field::field;
-use crate::emit::{Code, File, Language, Prefix, layout};
+use crate::emit::{Code, File, Language, Prefix};
 use askama::Template;
-use tpg_graph::error::{InputError, Place, counted};
-use tpg_graph::{Graph, Input, ScalarType};
+use tpg_graph::error::{InputError, Place};
+use tpg_graph::{Counts, Graph, Input, ScalarType};
 
 #[derive(Template)]
 #[template(path = "c/decide.h", escape = "none")]
@@ -18,7 +18,7 @@ struct DecideHeader<'a> {
     network: &'a str,
     ask: String,
     /// What the network sees of the graph's state.
-    inputs: String,
+    inputs: Vec<String>,
 }
 
 /// The C of a graph, the [plain C](to_plain_c) of the network that it asks, and `PREFIX_decide.h`, whose function answers for
@@ -27,9 +27,9 @@ struct DecideHeader<'a> {
 /// # Errors
 /// Where the network does not fit the graph: its inputs, its actions, or none that asks; and those of [`Code::of_graph`].
 pub fn to_asking_c(graph: &Graph, options: &Options, policy: &QuantisedPolicy) -> Result<Vec<File>, InputError> {
-    let [ask] = &graph.asks().collect::<Vec<_>>()[..] else {
-        let found = format!("{} that ask", counted(graph.asks().count(), "action"));
-        return Err(InputError::new("the graph", "$.actions", found, "one"));
+    let last = graph.actions().split_last();
+    let Some((ask, own)) = last.and_then(|(last, own)| Some((last.ask.as_ref()?, own))) else {
+        return Err(InputError::new("the graph", "$.actions", "no action that asks, as the last", "one"));
     };
     let refuse = |path: &str, found: &[String], accepted: &[String]| {
         Err(InputError::new("the network", path, found.join(", "), accepted.join(", ")))
@@ -39,8 +39,7 @@ pub fn to_asking_c(graph: &Graph, options: &Options, policy: &QuantisedPolicy) -
     if inputs != seen {
         return refuse("$.observation", &seen, &inputs);
     }
-    let own = graph.actions().iter().filter(|action| action.ask.is_none());
-    let own: Vec<String> = own.map(|action| action.name.clone()).collect();
+    let own: Vec<String> = own.iter().map(|action| action.name.clone()).collect();
     let choices = if let Output::Argmax(names) = &policy.output { &names[..] } else { &[] };
     if choices != own {
         return refuse("$.output", choices, &own);
@@ -56,9 +55,9 @@ pub fn to_asking_c(graph: &Graph, options: &Options, policy: &QuantisedPolicy) -
         upper: options.prefix.upper(),
         network: network.lower(),
         ask: ask.to_ascii_uppercase(),
-        inputs: graph.inputs().map(|input| value(graph, input)).collect::<Vec<_>>().join(", "),
+        inputs: graph.inputs().map(|input| value(graph, input)).collect(),
     };
-    let text = layout::wrap(&header.render().expect("a template of plain values"), false) + "\n";
+    let text = header.render().expect("a template of plain values") + "\n";
     files.push(File { name: format!("{prefix}_decide.h"), text });
     Ok(files)
 }
@@ -67,7 +66,8 @@ pub fn to_asking_c(graph: &Graph, options: &Options, policy: &QuantisedPolicy) -
 fn value(graph: &Graph, input: Input) -> String {
     let member = format!("state->{}", named(graph, input, |name| field(graph, name)));
     match graph.counts_of(input) {
-        Some(counts) => format!("((float){member} - {:?}f) * {:?}f", counts.offset as f32, counts.scale as f32),
+        Some(Counts { scale, offset: 0.0, .. }) => format!("(float){member} * {:?}f", scale as f32),
+        Some(Counts { scale, offset, .. }) => format!("((float){member} - {:?}f) * {:?}f", offset as f32, scale as f32),
         None if graph.scalar() == ScalarType::F64 => format!("(float){member}"),
         None => member,
     }

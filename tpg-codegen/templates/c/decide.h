@@ -11,7 +11,11 @@ static inline {{ prefix }}_action_t {{ prefix }}_decide(const {{ prefix }}_state
     const {{ prefix }}_action_t action = {{ prefix }}_infer(state);
 
     if (action == {{ upper }}_ASKS_{{ ask }}) {
-        const {{ network }}_state_t seen = { { {{ inputs }} } };
+        const {{ network }}_state_t seen = { {
+{%- for row in inputs.chunks(3) %}
+            {{ row|join(", ") }}{% if !loop.last %},{% endif %}
+{%- endfor %}
+        } };
         return ({{ prefix }}_action_t){{ network }}_infer(&seen);
     }
     return action;
