@@ -4,7 +4,7 @@ use crate::support;
 use crate::support::fk::{self, Exactness, Nearness};
 use std::path::Path;
 use tpg_arm::WIDOWX;
-use tpg_codegen::emit::{Language, Options, Prefix};
+use tpg_codegen::emit::{Code, Language, Options, Prefix};
 use tpg_codegen::verify::Workshop;
 use tpg_engine::{Plan, PolicyGraph, Single};
 use tpg_graph::engine::{Engine, Reference};
@@ -92,7 +92,8 @@ impl Decider {
             // The folder is deleted on return; the program started from it keeps running.
             Self::Code(language) => {
                 let options = Options::new(Prefix::of_file(file));
-                Box::new(Workshop::new().unwrap().run(language, graph, &options).unwrap())
+                let code = Code::of_graph("the graph", graph, &options, language).unwrap();
+                Box::new(Workshop::new().unwrap().start(&code).unwrap())
             }
         }
     }
