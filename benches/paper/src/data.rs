@@ -15,11 +15,15 @@ use tpg_graph::error::{InputError, Place};
 pub use tpg_problems::arm::targets::Task;
 
 /// A recorded end of an episode.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 pub struct End {
+    /// Row of the targets file.
+    pub row: u32,
     /// End state.
+    #[serde(flatten)]
     pub state: EndState,
     /// Number of actions chosen by the graph, if recorded.
+    #[serde(rename = "nb_tpg_actions")]
     pub tpg_actions: Option<u32>,
 }
 
@@ -36,19 +40,6 @@ struct TaskRow {
     tx: f64,
     ty: f64,
     tz: f64,
-}
-
-/// A row of a file of end states.
-#[derive(Clone, Copy, Debug, Deserialize)]
-pub struct EndRow {
-    /// Row of the targets file.
-    pub row: u32,
-    score_x1000: i64,
-    distance_um: i64,
-    success: u8,
-    collision: u8,
-    nb_actions: u32,
-    nb_tpg_actions: Option<u32>,
 }
 
 #[derive(Deserialize)]
@@ -71,22 +62,12 @@ pub fn tasks(path: &Path) -> Result<ByRow<Task>, InputError> {
     Ok(rows(path)?.into_iter().map(task).collect())
 }
 
-impl EndRow {
-    /// Returns the end.
-    pub fn end(&self) -> End {
-        let &Self { score_x1000, distance_um, success, collision, nb_actions: actions, nb_tpg_actions, .. } = self;
-        let (success, collision) = (success == 1, collision == 1);
-        let state = EndState { score_x1000, distance_um, success, collision, actions };
-        End { state, tpg_actions: nb_tpg_actions }
-    }
-}
-
 /// Reads the recorded end states.
 ///
 /// # Errors
 /// As [`rows`].
 pub fn ends(path: &Path) -> Result<ByRow<End>, InputError> {
-    Ok(rows::<EndRow>(path)?.into_iter().map(|row| (row.row, row.end())).collect())
+    Ok(rows(path)?.into_iter().map(|end: End| (end.row, end)).collect())
 }
 
 /// Reads the pose after each step.

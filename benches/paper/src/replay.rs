@@ -235,13 +235,14 @@ mod tests {
         let [a, b] = [4091, 4094].map(|base| Pose([base, 2048, 2048, 2048]));
         let end = EndState { score_x1000: -9, distance_um: 9, success: false, collision: true, actions: 2 };
         let done: ByRow<Done> = [(7, Done { poses: vec![a, b], end })].into();
-        let ends = |state: EndState, tpg_actions| compare_ends(&[(7, End { state, tpg_actions })].into(), &done);
+        let ends =
+            |state: EndState, tpg_actions| compare_ends(&[(7, End { row: 7, state, tpg_actions })].into(), &done);
         assert!(ends(end, None).is_exact() && ends(end, Some(2)).is_exact());
         let other = ends(EndState { success: true, ..end }, Some(1));
         assert!(!other.is_exact());
         let difference = "row 7: success 0 instead of 1, nb_tpg_actions 2 instead of 1";
         assert_eq!(other.first_difference.as_deref(), Some(difference));
-        assert!(!compare_ends(&[(8, End { state: end, tpg_actions: None })].into(), &done).is_exact());
+        assert!(!compare_ends(&[(8, End { row: 8, state: end, tpg_actions: None })].into(), &done).is_exact());
 
         let traces = |poses: &[Pose]| compare_traces(&[(7, poses.to_vec())].into(), &done);
         let exact = Comparison { rows: 1, exact_rows: 1, first_difference: None };
