@@ -93,7 +93,7 @@ impl From<Outcome> for State {
 /// An arm as a page reads it; the same layout in JavaScript.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct View {
+pub struct ArmView {
     /// Shoulder, end of the upper arm, elbow, wrist, tip of the hand: x, y, z each, mm.
     pub points: [[f32; 3]; 5],
     /// Hand to target, mm.
@@ -109,13 +109,13 @@ pub struct View {
 }
 
 /// An episode of one of the four.
-enum Course {
+enum ArmCourse {
     Hybrid(HybridEpisode<'static, f32, Graph, Network, widowx_rs_hybrid::Detector>),
     /// Of the graph, the network or the planner.
     Alone(Episode<'static, f32, Brent>, State),
 }
 
-impl Course {
+impl ArmCourse {
     fn seen(&self) -> &Observation<f32> {
         match self {
             Self::Hybrid(episode) => episode.observation(),
@@ -133,8 +133,8 @@ pub struct Scene {
     seen: &'static Cell<[f32; SEEN]>,
     planner: Planner<'static>,
     target: [f64; 3],
-    courses: [Course; ARMS],
-    views: [View; ARMS],
+    courses: [ArmCourse; ARMS],
+    views: [ArmView; ARMS],
 }
 
 impl Scene {
@@ -148,7 +148,7 @@ impl Scene {
         let target = [0.0, 300.0, 300.0];
         let planner = Planner::new(&EXACT_ARM, Choice::NearestFree);
         let courses = courses(hybrid, [ARM.home; ARMS], target);
-        let mut scene = Self { hybrid, seen, planner, target, courses, views: [View::default(); ARMS] };
+        let mut scene = Self { hybrid, seen, planner, target, courses, views: [ArmView::default(); ARMS] };
         scene.show_all();
         Some(scene)
     }
@@ -179,11 +179,11 @@ impl Scene {
                 break;
             }
             let (driver, outcome) = match course {
-                Course::Hybrid(episode) => {
+                ArmCourse::Hybrid(episode) => {
                     let (driver, outcome) = episode.advance();
                     (if driver == Driver::Sac { State::Network } else { State::Graph }, outcome)
                 }
-                Course::Alone(episode, driver) => {
+                ArmCourse::Alone(episode, driver) => {
                     let seen = episode.observation();
                     let wanted = match driver {
                         State::Network => self.hybrid.sac.decide(seen),
@@ -201,7 +201,7 @@ impl Scene {
     }
 
     /// Shows an arm; the first one for a number beyond the last.
-    pub fn view(&self, arm: usize) -> &View {
+    pub fn view(&self, arm: usize) -> &ArmView {
         self.views.get(arm).unwrap_or(&self.views[0])
     }
 
@@ -239,12 +239,12 @@ fn courses(
     hybrid: &'static Hybrid<'static, f32, Graph, Network>,
     poses: [Pose; ARMS],
     target: [f64; 3],
-) -> [Course; ARMS] {
+) -> [ArmCourse; ARMS] {
     [
-        Course::Hybrid(HybridEpisode::new(hybrid, task(poses[0], target), widowx_rs_hybrid::Detector::new())),
-        Course::Alone(Episode::new(&ARM, task(poses[1], target), Brent::new()), State::Graph),
-        Course::Alone(Episode::new(&ARM, task(poses[2], target), Brent::new()), State::Network),
-        Course::Alone(Episode::new(&ARM, task(poses[3], target), Brent::new()), State::Planner),
+        ArmCourse::Hybrid(HybridEpisode::new(hybrid, task(poses[0], target), widowx_rs_hybrid::Detector::new())),
+        ArmCourse::Alone(Episode::new(&ARM, task(poses[1], target), Brent::new()), State::Graph),
+        ArmCourse::Alone(Episode::new(&ARM, task(poses[2], target), Brent::new()), State::Network),
+        ArmCourse::Alone(Episode::new(&ARM, task(poses[3], target), Brent::new()), State::Planner),
     ]
 }
 

@@ -36,7 +36,7 @@ physics! {
 /// The section `[problem]` of a configuration for the pendulum.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
-pub struct Config {
+pub struct PendulumConfig {
     /// Number of evenly spaced torques from −2 to 2 N·m, as named actions; by default a graph computes the torque.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub levels: Option<u16>,

@@ -52,7 +52,7 @@ impl Disturbance {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 #[schemars(bound = "C: JsonSchema + Default + Serialize")]
-pub struct Settings<C> {
+pub struct VariedSettings<C> {
     /// The constants of the rules.
     pub physics: C,
     /// Delays, noise and hidden sources.
