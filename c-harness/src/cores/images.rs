@@ -4,7 +4,6 @@ use super::core::{Core, Runner};
 use super::shipped::{self, Kind, Shipped};
 use crate::Failure;
 use crate::build::{self, generated_c, room};
-use std::env;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -110,9 +109,8 @@ impl Place {
         if !library::rust_target(target, &format!("the generated Rust on {}", core.title())) {
             return Ok(None);
         }
-        let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-        cargo.current_dir(library::top()).args(["build", "--quiet", "--package", "tpg-cores", "--lib"]);
-        run(cargo.args(["--profile", "firmware", "--target", target]))?;
+        let package = ["build", "--quiet", "--package", "tpg-cores", "--lib"];
+        run(library::cargo(&package).args(["--profile", "firmware", "--target", target]))?;
         let archive = OsString::from(library::target_folder().join(target).join("firmware/libtpg_cores.a"));
         let folder = self.folder(core)?;
         let mut compiler = self.compiler(core, &folder);
