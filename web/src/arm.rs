@@ -48,7 +48,7 @@ type Network = PackedPolicy<'static, { widowx_sac::SCRATCH }>;
 /// The state of an arm, as numbers that a page reads.
 #[repr(u32)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum State {
+pub enum ArmState {
     /// The graph acted last, or nothing has yet.
     #[default]
     Graph,
@@ -70,14 +70,14 @@ pub enum State {
     Timeout,
 }
 
-impl State {
+impl ArmState {
     /// Tests for the end of an episode.
     pub fn is_end(self) -> bool {
         !matches!(self, Self::Graph | Self::Network | Self::Planner)
     }
 }
 
-impl From<Outcome> for State {
+impl From<Outcome> for ArmState {
     fn from(outcome: Outcome) -> Self {
         match outcome {
             Outcome::Reached => Self::Reached,
@@ -103,7 +103,7 @@ pub struct ArmView {
     /// Actions since the target moved: of the graph (or the planner), of the network.
     pub actions: [u32; 2],
     /// The policy that acted last, or the end.
-    pub state: State,
+    pub state: ArmState,
     /// The state by which the graph decided last.
     pub seen: [f32; SEEN],
 }
@@ -112,7 +112,7 @@ pub struct ArmView {
 enum ArmCourse {
     Hybrid(HybridEpisode<'static, f32, Graph, Network, widowx_rs_hybrid::Detector>),
     /// Of the graph, the network or the planner.
-    Alone(Episode<'static, f32, Brent>, State),
+    Alone(Episode<'static, f32, Brent>, ArmState),
 }
 
 impl ArmCourse {
@@ -181,20 +181,20 @@ impl Scene {
             let (driver, outcome) = match course {
                 ArmCourse::Hybrid(episode) => {
                     let (driver, outcome) = episode.advance();
-                    (if driver == Driver::Sac { State::Network } else { State::Graph }, outcome)
+                    (if driver == Driver::Sac { ArmState::Network } else { ArmState::Graph }, outcome)
                 }
                 ArmCourse::Alone(episode, driver) => {
                     let seen = episode.observation();
                     let wanted = match driver {
-                        State::Network => self.hybrid.sac.decide(seen),
-                        State::Planner => self.planner.decide(&Observation::at(&EXACT_ARM, seen.pose, self.target)),
+                        ArmState::Network => self.hybrid.sac.decide(seen),
+                        ArmState::Planner => self.planner.decide(&Observation::at(&EXACT_ARM, seen.pose, self.target)),
                         _ => self.hybrid.tpg.decide(seen),
                     };
                     (*driver, episode.advance(wanted))
                 }
             };
-            view.actions[usize::from(driver == State::Network)] += 1;
-            view.state = outcome.map_or(driver, State::from);
+            view.actions[usize::from(driver == ArmState::Network)] += 1;
+            view.state = outcome.map_or(driver, ArmState::from);
             view.seen = self.seen.get();
         }
         self.show(arm);
@@ -213,7 +213,7 @@ impl Scene {
     fn begin(&mut self, poses: [Pose; ARMS]) {
         self.courses = courses(self.hybrid, poses, self.target);
         for view in &mut self.views {
-            (view.actions, view.state) = ([0; 2], State::Graph);
+            (view.actions, view.state) = ([0; 2], ArmState::Graph);
         }
         self.show_all();
     }
@@ -230,7 +230,7 @@ impl Scene {
         view.pose = seen.pose.0.map(i32::from);
         // Where the target lies in the hand, there is nothing to do.
         if !view.state.is_end() && view.distance < TOLERANCE {
-            view.state = State::Reached;
+            view.state = ArmState::Reached;
         }
     }
 }
@@ -242,9 +242,9 @@ fn courses(
 ) -> [ArmCourse; ARMS] {
     [
         ArmCourse::Hybrid(HybridEpisode::new(hybrid, task(poses[0], target), widowx_rs_hybrid::Detector::new())),
-        ArmCourse::Alone(Episode::new(&ARM, task(poses[1], target), Brent::new()), State::Graph),
-        ArmCourse::Alone(Episode::new(&ARM, task(poses[2], target), Brent::new()), State::Network),
-        ArmCourse::Alone(Episode::new(&ARM, task(poses[3], target), Brent::new()), State::Planner),
+        ArmCourse::Alone(Episode::new(&ARM, task(poses[1], target), Brent::new()), ArmState::Graph),
+        ArmCourse::Alone(Episode::new(&ARM, task(poses[2], target), Brent::new()), ArmState::Network),
+        ArmCourse::Alone(Episode::new(&ARM, task(poses[3], target), Brent::new()), ArmState::Planner),
     ]
 }
 

@@ -8,7 +8,7 @@ use std::process::Command;
 use support::page;
 use tpg_arm::Pose;
 use tpg_testing::library::top;
-use tpg_web::arm::{Scene, State};
+use tpg_web::arm::{ArmState, Scene};
 
 /// FNV-1a of 64 bits over the poses.
 struct Hash(u64);
@@ -41,7 +41,7 @@ fn native(targets: &[[f64; 3]]) -> String {
             hash.add(scene.poses()[0]);
             actions += 1;
         }
-        reached += u32::from(scene.view(0).state == State::Reached);
+        reached += u32::from(scene.view(0).state == ArmState::Reached);
     }
     format!("{reached} of {} reached, {actions} actions, poses {:016x}", targets.len(), hash.0)
 }
