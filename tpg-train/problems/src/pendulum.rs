@@ -4,7 +4,7 @@ use crate::circle::sincos;
 use crate::eights::{ByEight, by_eight};
 use crate::physics::physics;
 use crate::source;
-use crate::varied::Disturbance;
+use crate::varied::{Disturbance, Varied};
 use core::f64::consts::{PI, TAU};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -44,6 +44,13 @@ pub struct PendulumConfig {
     pub physics: Amounts,
     /// Delays, noise and hidden sources.
     pub disturbance: Disturbance,
+}
+
+impl PendulumConfig {
+    /// Puts the pendulum under these settings.
+    pub(crate) fn environment(&self) -> Varied<Pendulum, Amounts> {
+        Varied::new(Pendulum, self.physics, self.disturbance.clone())
+    }
 }
 
 /// A rod of 1 m and 1 kg on an axle with a motor, by the rules of Gymnasium's Pendulum-v1.

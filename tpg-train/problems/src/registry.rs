@@ -12,8 +12,8 @@ use crate::eye::Eye;
 use crate::minatar::{Asterix, Breakout, MinAtar, SpaceInvaders};
 use crate::mountain_car::{self, MountainCar};
 use crate::mountain_car_continuous::{self, MountainCarContinuous};
-use crate::pendulum::{Pendulum, PendulumConfig};
-use crate::varied::{self, Varied, VariedSettings};
+use crate::pendulum::PendulumConfig;
+use crate::varied::VariedSettings;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -261,13 +261,11 @@ impl Problem {
             ProblemSettings::Arm(config) => config.check(),
             ProblemSettings::Motors(config) => config.check(),
             ProblemSettings::Dodge(config) => config.check(),
-            ProblemSettings::Cartpole(it) => varied::check(&it.physics, &it.disturbance, &CartPole),
-            ProblemSettings::Acrobot(it) => varied::check(&it.physics, &it.disturbance, &Acrobot),
-            ProblemSettings::MountainCar(it) => varied::check(&it.physics, &it.disturbance, &MountainCar),
-            ProblemSettings::Pendulum(it) => varied::check(&it.physics, &it.disturbance, &Pendulum),
-            ProblemSettings::MountainCarContinuous(it) => {
-                varied::check(&it.physics, &it.disturbance, &MountainCarContinuous)
-            }
+            ProblemSettings::Cartpole(it) => it.around(CartPole).check(),
+            ProblemSettings::Acrobot(it) => it.around(Acrobot).check(),
+            ProblemSettings::MountainCar(it) => it.around(MountainCar).check(),
+            ProblemSettings::Pendulum(it) => it.environment().check(),
+            ProblemSettings::MountainCarContinuous(it) => it.around(MountainCarContinuous).check(),
             ProblemSettings::Fixed(_) => Ok(()),
         }
     }
@@ -304,13 +302,11 @@ impl Problem {
                 erase(config.environment::<S>(self.start()))
             }
             ProblemSettings::Dodge(config) => erase(Dodge::new(config)),
-            ProblemSettings::Cartpole(it) => erase(Varied::new(CartPole, it.physics, it.disturbance.clone())),
-            ProblemSettings::Acrobot(it) => erase(Varied::new(Acrobot, it.physics, it.disturbance.clone())),
-            ProblemSettings::MountainCar(it) => erase(Varied::new(MountainCar, it.physics, it.disturbance.clone())),
-            ProblemSettings::Pendulum(it) => erase(Varied::new(Pendulum, it.physics, it.disturbance.clone())),
-            ProblemSettings::MountainCarContinuous(it) => {
-                erase(Varied::new(MountainCarContinuous, it.physics, it.disturbance.clone()))
-            }
+            ProblemSettings::Cartpole(it) => erase(it.around(CartPole)),
+            ProblemSettings::Acrobot(it) => erase(it.around(Acrobot)),
+            ProblemSettings::MountainCar(it) => erase(it.around(MountainCar)),
+            ProblemSettings::Pendulum(it) => erase(it.environment()),
+            ProblemSettings::MountainCarContinuous(it) => erase(it.around(MountainCarContinuous)),
             ProblemSettings::Fixed(_) => match self.name {
                 ProblemName::Breakout => erase(MinAtar::<Breakout>::default()),
                 ProblemName::Asterix => erase(MinAtar::<Asterix>::default()),
