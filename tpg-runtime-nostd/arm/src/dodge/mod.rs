@@ -25,7 +25,7 @@ mod scout;
 mod sources;
 
 pub use ball::Ball;
-pub use behaviour::{BALLS, Behaviour, EVASION, FIELD, Field, View, away};
+pub use behaviour::{BALLS, Behaviour, FIELD, Field, View, away};
 pub use body::{Body, CAPSULES, Nearest, Outline, Posture, WIDOWX_RADII};
 pub use control::{Chooser, DodgeControl, DodgeStep, GOALS};
 pub use dodger::{Dodger, DodgerSettings};

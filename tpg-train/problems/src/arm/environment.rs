@@ -88,7 +88,7 @@ impl<S: Number> ArmEnvironment<S> {
     }
 
     /// Returns the same environment for networks of these settings.
-    pub fn with_network(self, config: &MotorsConfig) -> Self {
+    pub(crate) fn with_network(self, config: &MotorsConfig) -> Self {
         Self { decision: config.decision(), ..self }
     }
 

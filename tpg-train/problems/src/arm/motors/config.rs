@@ -72,7 +72,7 @@ pub struct Reward {
 
 impl Reward {
     /// True if the reward knows poses that solve the task.
-    pub fn knows_goals(&self) -> bool {
+    pub(crate) fn knows_goals(&self) -> bool {
         self.steps_to_goal != 0.0
     }
 }

@@ -23,7 +23,7 @@ use tpg_engine::{Act, ActionSpace, Environment, Measure, Output, Preference, Sou
 use tpg_graph::SourceDocument;
 
 /// The names of the motors, in order.
-pub const MOTORS: [&str; JOINTS] = ["base", "shoulder", "elbow", "wrist"];
+const MOTORS: [&str; JOINTS] = ["base", "shoulder", "elbow", "wrist"];
 
 /// Returns the sources of networks: one for each input.
 pub(super) fn sources() -> Vec<SourceDocument> {
@@ -84,7 +84,7 @@ impl Motors {
 
     /// Returns the same problem with other rules of tests.
     #[must_use]
-    pub fn with_tests(self, tests: ArmProblem) -> Self {
+    pub(crate) fn with_tests(self, tests: ArmProblem) -> Self {
         Self { tests: Some(tests), ..self }
     }
 
