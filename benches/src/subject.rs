@@ -145,7 +145,7 @@ fn recorded(folder: &Path, path: &Path) -> Subject {
     let rules = Rules { max_actions: max_actions(problem), tolerance };
     let done = replay::run(&chain, rules, &tasks, &binding, &mut Reference::new(&graph))
         .unwrap_or_else(|error| panic!("{name}: {error}"));
-    let comparison = replay::compare_ends(&ends, &done);
+    let comparison = replay::compare(&ends, &done, replay::end_difference);
     assert!(comparison.is_exact(), "{name}: {comparison:?}");
 
     let mut states = Vec::new();

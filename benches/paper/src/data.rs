@@ -42,15 +42,6 @@ struct TaskRow {
     tz: f64,
 }
 
-#[derive(Deserialize)]
-struct TraceRow {
-    row: u32,
-    m0: i16,
-    m1: i16,
-    m2: i16,
-    m3: i16,
-}
-
 /// Reads the starts and targets of the recorded episodes.
 ///
 /// # Errors
@@ -68,18 +59,6 @@ pub fn tasks(path: &Path) -> Result<ByRow<Task>, InputError> {
 /// As [`rows`].
 pub fn ends(path: &Path) -> Result<ByRow<End>, InputError> {
     Ok(rows(path)?.into_iter().map(|end: End| (end.row, end)).collect())
-}
-
-/// Reads the pose after each step.
-///
-/// # Errors
-/// As [`rows`].
-pub fn traces(path: &Path) -> Result<ByRow<Vec<Pose>>, InputError> {
-    let mut traces: ByRow<Vec<Pose>> = ByRow::new();
-    for TraceRow { row, m0, m1, m2, m3 } in rows(path)? {
-        traces.entry(row).or_default().push(Pose([m0, m1, m2, m3]));
-    }
-    Ok(traces)
 }
 
 /// Reads the rows of a CSV file, gzip allowed.

@@ -2,6 +2,7 @@
 
 use crate::support;
 use crate::support::fk::{self, Exactness, Nearness};
+use crate::support::traces::{trace_difference, traces};
 use std::path::Path;
 use tpg_arm::WIDOWX;
 use tpg_codegen::emit::{Code, Language, Options, Prefix};
@@ -148,12 +149,12 @@ fn replay_all(folder: &Path, cases: &[Case], engine: Decider) -> Totals {
         let mut engine = engine.start(&file, &graph);
         let done = replay::run(&chain, rules, &tasks, &binding, engine.as_mut()).unwrap();
 
-        let mut comparisons = vec![replay::compare_ends(&ends, &done)];
+        let mut comparisons = vec![replay::compare(&ends, &done, replay::end_difference)];
         totals.graphs += 1;
         totals.end_rows += comparisons[0].exact_rows;
         if let Some(suffix) = case.trace {
-            let traces = data::traces(&folder.join(format!("{}{suffix}", case.recorded))).unwrap();
-            let comparison = replay::compare_traces(&traces, &done);
+            let traces = traces(&folder.join(format!("{}{suffix}", case.recorded)));
+            let comparison = replay::compare(&traces, &done, trace_difference);
             totals.trace_rows += comparison.exact_rows;
             totals.steps += traces.values().map(Vec::len).sum::<usize>();
             comparisons.push(comparison);
