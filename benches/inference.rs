@@ -12,7 +12,7 @@ use std::time::Duration;
 use tpg_benches::callgrind;
 use tpg_benches::program::{Decider, Program};
 use tpg_benches::subject::{self, Subject};
-use tpg_benches::table::Table;
+use tpg_benches::table::BenchTable;
 use tpg_benches::variant::Variant;
 
 /// Number of starts of each program: an unlucky memory layout can halve a program's speed for as long as it runs.
@@ -34,8 +34,8 @@ fn main() {
     } else {
         subjects.extend(subject::conformance());
     }
-    let mut times = Table::new("Nanoseconds per decision");
-    let mut counts = Table::new("Instructions per decision");
+    let mut times = BenchTable::new("Nanoseconds per decision");
+    let mut counts = BenchTable::new("Instructions per decision");
     let counting = !testing && callgrind::available();
     for subject in subjects.iter().filter(|subject| wanted(subject)) {
         let programs = Variant::ALL.map(|variant| Program::build(subject, variant).unwrap_or_else(|e| panic!("{e}")));

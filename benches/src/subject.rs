@@ -24,7 +24,7 @@ const STATES: usize = 8192;
 
 /// Origin of a policy; policies of a kind are summarised together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum SubjectKind {
     /// The paper's, as evolved.
     Trained,
     /// The paper's, with everything that no episode visits removed by its authors.
@@ -39,7 +39,7 @@ pub struct Subject {
     /// Name in the table.
     pub name: String,
     /// Origin.
-    pub kind: Kind,
+    pub kind: SubjectKind,
     /// The policy.
     pub graph: Graph,
     /// Flat states, in the order of the episodes.
@@ -68,7 +68,7 @@ pub fn own() -> Vec<Subject> {
         };
         let (graph, tasks) = read().unwrap_or_else(|error| panic!("{error}"));
         let states = episodes(&graph, &tasks, start);
-        Subject { name, kind: Kind::Own, graph, states }
+        Subject { name, kind: SubjectKind::Own, graph, states }
     };
     [Start::Fs, Start::Rs].map(subject).into()
 }
@@ -145,7 +145,7 @@ fn recorded(folder: &Path, path: &Path) -> Subject {
     let rules = Rules { max_actions: max_actions(problem), tolerance };
     let done = replay::run(&chain, rules, &tasks, &binding, &mut Reference::new(&graph))
         .unwrap_or_else(|error| panic!("{name}: {error}"));
-    let comparison = replay::compare_ends(&ends, &done);
+    let comparison = replay::compare(&ends, &done, replay::end_difference);
     assert!(comparison.is_exact(), "{name}: {comparison:?}");
 
     let mut states = Vec::new();
@@ -157,6 +157,6 @@ fn recorded(folder: &Path, path: &Path) -> Subject {
             binding.push_state(&seen, &mut states);
         }
     }
-    let kind = if name.ends_with(".cleaned") { Kind::Pruned } else { Kind::Trained };
+    let kind = if name.ends_with(".cleaned") { SubjectKind::Pruned } else { SubjectKind::Trained };
     Subject { name, kind, graph, states }
 }

@@ -1,13 +1,13 @@
 //! Tables of measurements: a row for each subject and a column for each variant, followed by a summary for each kind of
 //! subject.
 
-use crate::subject::Kind;
+use crate::subject::SubjectKind;
 use crate::variant::Variant;
 use tpg_paper::table::markdown::grid;
 
 /// A number for each subject and variant; lower is better.
 #[derive(Clone, Debug, Default)]
-pub struct Table {
+pub struct BenchTable {
     title: String,
     rows: Vec<BenchRow>,
 }
@@ -15,18 +15,18 @@ pub struct Table {
 #[derive(Clone, Debug)]
 struct BenchRow {
     name: String,
-    kind: Kind,
+    kind: SubjectKind,
     numbers: [Option<f64>; Variant::ALL.len()],
 }
 
-impl Table {
+impl BenchTable {
     /// Creates an empty table.
     pub fn new(title: &str) -> Self {
         Self { title: title.to_owned(), rows: Vec::new() }
     }
 
     /// Records a number of a subject, by its name.
-    pub fn note(&mut self, name: &str, kind: Kind, variant: Variant, number: f64) {
+    pub fn note(&mut self, name: &str, kind: SubjectKind, variant: Variant, number: f64) {
         let place = self.rows.iter().position(|row| row.name == name).unwrap_or_else(|| {
             self.rows.push(BenchRow { name: name.to_owned(), kind, numbers: [None; Variant::ALL.len()] });
             self.rows.len() - 1
@@ -51,13 +51,13 @@ impl Table {
     /// maximum.
     pub fn summary(&self, yardstick: Variant) -> String {
         let others = || Variant::ALL.into_iter().filter(|&variant| variant != yardstick);
-        let groups: [(&str, &[Kind]); 4] = [
-            ("of the paper, as trained", &[Kind::Trained]),
-            ("of the paper, pruned", &[Kind::Pruned]),
-            ("of the paper", &[Kind::Trained, Kind::Pruned]),
-            ("this project's", &[Kind::Own]),
+        let groups: [(&str, &[SubjectKind]); 4] = [
+            ("of the paper, as trained", &[SubjectKind::Trained]),
+            ("of the paper, pruned", &[SubjectKind::Pruned]),
+            ("of the paper", &[SubjectKind::Trained, SubjectKind::Pruned]),
+            ("this project's", &[SubjectKind::Own]),
         ];
-        let row = |(name, kinds): (&str, &[Kind])| {
+        let row = |(name, kinds): (&str, &[SubjectKind])| {
             let rows: Vec<&BenchRow> = self.rows.iter().filter(|row| kinds.contains(&row.kind)).collect();
             let cell = |variant| ratios(&rows, yardstick, variant).unwrap_or_else(|| "–".to_owned());
             let cells = [format!("{} {name}", rows.len())].into_iter().chain(others().map(cell));
@@ -85,18 +85,18 @@ fn ratios(rows: &[&BenchRow], yardstick: Variant, variant: Variant) -> Option<St
 
 #[cfg(test)]
 mod tests {
-    use super::Table;
-    use crate::subject::Kind;
+    use super::BenchTable;
+    use crate::subject::SubjectKind;
     use crate::variant::Variant;
     use tpg_codegen::emit::{Language, Profile};
 
     #[test]
     fn ratios_are_to_the_yardstick_and_their_mean_is_geometric() {
         let fast = Variant::Generated(Language::C, Profile::Fast);
-        let mut table = Table::new("nanoseconds");
+        let mut table = BenchTable::new("nanoseconds");
         for (name, gegelati, number) in [("a", 20.0, 10.0), ("b", 80.0, 10.0)] {
-            table.note(name, Kind::Own, Variant::Gegelati, gegelati);
-            table.note(name, Kind::Own, fast, number);
+            table.note(name, SubjectKind::Own, Variant::Gegelati, gegelati);
+            table.note(name, SubjectKind::Own, fast, number);
         }
         let text = table.render();
         assert!(text.contains("| a | 20.0 (1.00) | – | 10.0 (2.00) |"), "{text}");

@@ -3,6 +3,8 @@
 use crate::Failure;
 use crate::programs::Program;
 use crate::{dodge, problems};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -142,12 +144,12 @@ pub(crate) fn version(program: &str) -> String {
     text.lines().next().unwrap_or_default().to_owned()
 }
 
-/// Text of a file beside this crate.
-pub(crate) fn committed(name: &str) -> Result<String, Failure> {
-    Ok(read_text(&harness().join(name), "committed figures")?)
+/// The committed figures of a file beside this crate.
+pub(crate) fn committed<T: DeserializeOwned>(name: &str) -> Result<T, Failure> {
+    Ok(toml::from_str(&read_text(&harness().join(name), "committed figures")?)?)
 }
 
-/// Replaces a file beside this crate.
-pub(crate) fn commit(name: &str, text: &str) -> Result<(), Failure> {
-    write(&harness().join(name), text)
+/// Replaces a file beside this crate by figures, with a comment in front of them.
+pub(crate) fn commit(name: &str, comment: &str, figures: &impl Serialize) -> Result<(), Failure> {
+    write(&harness().join(name), format!("# {comment}\n\n{}", toml::to_string(figures)?))
 }

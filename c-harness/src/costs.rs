@@ -118,15 +118,13 @@ impl Costs {
 
     /// Differences from the committed counts.
     pub(crate) fn differences(&self) -> Result<Vec<String>, Failure> {
-        let committed: Self = toml::from_str(&build::committed(FILE)?)?;
+        let committed: Self = build::committed(FILE)?;
         let tolerance = Tolerance::new(FILE, &committed.compilers, &self.compilers);
         Ok(tolerance.differences("", &self.cost, &committed.cost, Cost::numbers))
     }
 
     /// Takes these counts as the committed ones.
     pub(crate) fn commit(&self) -> Result<(), Failure> {
-        let text = toml::to_string(self)?;
-        let head = "# Instructions counted under QEMU; `cargo xtask qemu --update` writes this file.\n\n";
-        build::commit(FILE, &format!("{head}{text}"))
+        build::commit(FILE, "Instructions counted under QEMU; `cargo xtask qemu --update` writes this file.", self)
     }
 }

@@ -9,7 +9,7 @@ use crate::line::{self, Line};
 use crate::record::Hash;
 use askama::Template;
 use tpg_arm::Pose;
-use tpg_arm::dodge::{Behaviour, Chooser, Control, Source};
+use tpg_arm::dodge::{Behaviour, Chooser, DodgeControl, DodgeSource};
 use tpg_arm::kinematics::Vector;
 use tpg_arm::sensors::Watch;
 use tpg_codegen::emit::File;
@@ -17,7 +17,7 @@ use tpg_generated::dodge::Dodge;
 use tpg_problems::dodge::episode::{End, Episode};
 use tpg_problems::dodge::file::read_csv;
 use tpg_problems::dodge::scene::Scene;
-use tpg_problems::dodge::{BODY, Config};
+use tpg_problems::dodge::{BODY, DodgeConfig};
 use tpg_testing::library;
 
 /// Scenes that are run.
@@ -43,9 +43,9 @@ struct Rollouts {
 
 /// Runs the scenes here: each, and a hash of every pose.
 fn run() -> Result<(Rollouts, Hash), Failure> {
-    let config = Config::default();
+    let config = DodgeConfig::default();
     let (body, settings) = (&BODY, config.settings());
-    let chooser = Chooser { policy: Dodge, sources: &Source::ALL, behaviours: &Behaviour::ALL };
+    let chooser = Chooser { policy: Dodge, sources: &DodgeSource::ALL, behaviours: &Behaviour::ALL };
     let choose = |values: &_| chooser.choose(values);
     let (mut poses, mut centres) = (Hash::new(), Vec::new());
     let rollout = |scene: Scene| {
@@ -53,7 +53,7 @@ fn run() -> Result<(Rollouts, Hash), Failure> {
         let mut episode = Episode::new(&scene);
         let first = centres.len();
         centres.extend(scene.balls.iter().map(|path| path.at(-1.0)));
-        let begun = Control::new(body, settings, Watch::DEFAULT, &goals, episode.pose(), episode.view().balls);
+        let begun = DodgeControl::new(body, settings, Watch::DEFAULT, &goals, episode.pose(), episode.view().balls);
         let mut control = begun?;
         let end = loop {
             let view = episode.view();

@@ -5,8 +5,6 @@ use crate::emulate;
 use crate::expected::{self, ARM};
 use crate::line::Line;
 use crate::problems::settings;
-use std::env;
-use std::process::Command;
 use tpg_arm::Pose;
 use tpg_arm::cycle::Brent;
 use tpg_arm::episode::{ReachTask, Summary};
@@ -32,9 +30,9 @@ pub(crate) fn check() -> Result<(), Failure> {
     let expected = expected();
     let made = library::target_folder().join(EXAMPLE);
     // Another workspace, with a target folder of its own.
-    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    let mut cargo = library::cargo(&["build", "--quiet", "--release", "--locked"]);
     cargo.current_dir(library::top().join("c-harness").join(EXAMPLE)).env("CARGO_TARGET_DIR", &made);
-    cargo.env_remove("CARGO_ENCODED_RUSTFLAGS").args(["build", "--quiet", "--release", "--locked"]);
+    cargo.env_remove("CARGO_ENCODED_RUSTFLAGS");
     library::output(&mut cargo)?;
     let image = made.join(TARGET).join("release").join(format!("tpg-{EXAMPLE}"));
     let lines = emulate::until_done(emulate::qemu("qemu-system-arm", BOARD).arg(image))?;

@@ -1,7 +1,7 @@
 //! The committed scenes of the arm among balls: every one is solved by its plan, and they are those of the command.
 
 use tpg_problems::arm::targets::Set;
-use tpg_problems::dodge::Config;
+use tpg_problems::dodge::DodgeConfig;
 use tpg_problems::dodge::draw::{LIMIT, SEED, TEST_TRIES, replay, scenes};
 use tpg_problems::dodge::file::{parse_csv, to_csv};
 
@@ -22,6 +22,6 @@ fn every_certificate_solves_its_scene_with_a_millimetre_to_spare() {
 
 #[test]
 fn the_committed_scenes_are_those_of_the_command() {
-    let drawn = scenes(&Config::default(), SEED, Set::Test, 1000, TEST_TRIES);
+    let drawn = scenes(&DodgeConfig::default(), SEED, Set::Test, 1000, TEST_TRIES);
     assert!(to_csv(&drawn) == COMMITTED);
 }

@@ -2,6 +2,7 @@
 //!
 //! Short tests take only tcc, which takes C99 to the letter and optimises nothing; `TPG_FULL_TESTS=1` takes all.
 
+use crate::common::codes;
 use std::path::Path;
 use std::process::Command;
 use tpg_codegen::emit::{self, Language, Options, Profile};
@@ -81,7 +82,7 @@ fn compare(compiler: &Compiler, level: &str, graphs: &[Graph]) {
         command
     };
     let place = format!("{} {level}", compiler.program);
-    let batch = workshop.batch_by(compiler.language, &policies, Some(&command));
+    let batch = workshop.batch(&codes(compiler.language, &policies), Some(&command));
     let batch = batch.unwrap_or_else(|error| panic!("{place}: {error}"));
     for (number, (graph, options)) in policies.iter().enumerate() {
         let mut process = batch.start(number, graph).expect("the program starts");

@@ -1,6 +1,6 @@
 //! Generated C on a core whose FPU has no doubles: no double creeps in, and own maths needs no library.
 
-use crate::common::{SHAPES, Shape, fixture, shaped};
+use crate::common::{SHAPES, Shape, code, fixture, shaped};
 use object::{Object as _, ObjectSymbol as _};
 use tpg_codegen::compile;
 use tpg_codegen::emit::{Code, Language};
@@ -9,7 +9,8 @@ use tpg_graph::{Graph, MathsProvider, ScalarType};
 
 /// Symbols that the object file needs from elsewhere, without GEGELATI's own inputs.
 fn undefined(graph: &Graph, shape: Shape) -> Vec<String> {
-    let object = size::compile_c(graph, &shaped("arm", shape), Target::M4f).expect("it compiles");
+    let object =
+        size::build_c(&code(Language::C, graph, &shaped("arm", shape)), Target::M4f).expect("it compiles").object;
     let file = object::File::parse(&*object).expect("an object file");
     let names = file.symbols().filter(|symbol| symbol.is_undefined()).map(|symbol| symbol.name().expect("a name"));
     let input = |name: &str| name.strip_prefix("in").is_some_and(|number| number.parse::<u32>().is_ok());

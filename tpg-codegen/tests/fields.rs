@@ -1,7 +1,7 @@
 //! Names that C or C++ give a meaning: keywords, and every macro of the headers that generated code includes. A source, an output or a
 //! value of the memory may have one; the field in C has an underscore more.
 
-use crate::common::{options, run};
+use crate::common::{code, options, run};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 use std::fs;
@@ -172,7 +172,7 @@ fn every_macro_and_keyword_names_a_source_an_output_and_a_memory() {
         let graph = named(&all, role);
         let options = options("named", Style::Pure);
         let mut programs =
-            [Language::C, Language::Rust].map(|it| workshop.run(it, &graph, &options).expect("it compiles"));
+            [Language::C, Language::Rust].map(|it| workshop.start(&code(it, &graph, &options)).expect("it compiles"));
         let mut engines: Vec<&mut dyn Engine> = programs.iter_mut().map(|program| program as &mut dyn Engine).collect();
         for comparison in verify::compare(&graph, &mut engines, 500, 1).expect("the programs run") {
             assert_eq!((comparison.states, comparison.differences), (500, 0), "{comparison:?}");

@@ -122,7 +122,7 @@ fn assert_equal(language: Language, profile: Profile, graphs: &[Graph], states: 
     let workshop = Workshop::new().expect("a temporary folder");
     let is_sanitized = language == Language::C && tpg_testing::tool("gcc", "gcc", "whole numbers under a sanitizer");
     let sanitizer: Option<&dyn Fn(&Path) -> Command> = if is_sanitized { Some(&sanitized) } else { None };
-    let batch = workshop.batch_of(language, &codes, sanitizer).expect("generated code compiles");
+    let batch = workshop.batch(&codes, sanitizer).expect("generated code compiles");
     for (place, graph) in graphs.iter().enumerate() {
         let mut process = batch.start(place, graph).expect("the program starts");
         let comparisons = verify::compare(graph, &mut [&mut process], states, place as u64);

@@ -3,6 +3,7 @@
 //! LLVM takes `if v > 0 { v } else { 0 }` of a `v = max(0, x)` for v, which it is not where x is NaN, and computes the cosine of a
 //! constant itself, rounded another way than the platform's. Generated code hides both from it.
 
+use crate::common::codes;
 use std::path::Path;
 use std::process::Command;
 use tpg_codegen::emit::{Language, Options, Profile};
@@ -96,7 +97,7 @@ fn compare(
         })
         .collect();
     let workshop = Workshop::new().expect("a temporary folder");
-    let batch = workshop.batch_by(language, &policies, Some(&compiler));
+    let batch = workshop.batch(&codes(language, &policies), Some(&compiler));
     let batch = batch.unwrap_or_else(|error| panic!("{}: {error}", compiler(Path::new(".")).get_program().display()));
     let mut compared = 0;
     for (place, (graph, options)) in policies.iter().enumerate() {

@@ -9,6 +9,7 @@
 //! The long form, of graphs with leaves and memory alone: `TPG_RANDOM_GRAPHS=1000 TPG_RANDOM_STATES=10000 cargo test --release -p
 //! tpg-codegen --test all interpreters_episodes -- --nocapture`, 1,000 graphs in C and 250 in Rust.
 
+use crate::common::codes;
 use tpg_codegen::emit::{Language, Options, Profile};
 use tpg_codegen::verify::{self, Workshop};
 use tpg_graph::Graph;
@@ -81,7 +82,7 @@ fn assert_equal(language: Language, kind: Kind, seeds: std::ops::Range<u64>) {
             .flat_map(|(number, graph)| forms(number).map(|options| (graph, options)))
             .collect();
         let workshop = Workshop::new().expect("a temporary folder");
-        let batch = workshop.batch(language, &policies).expect("generated code compiles");
+        let batch = workshop.batch(&codes(language, &policies), None).expect("generated code compiles");
         for (place, (graph, options)) in policies.iter().enumerate() {
             let mut process = batch.start(place, graph).expect("the program starts");
             let seed = seeds[place / FORMS];
@@ -158,7 +159,7 @@ fn assert_same_episodes(language: Language, seeds: std::ops::Range<u64>) {
             .flat_map(|(number, graph)| Profile::ALL.map(|profile| (graph, form(number, profile))))
             .collect();
         let workshop = Workshop::new().expect("a temporary folder");
-        let batch = workshop.batch(language, &policies).expect("generated code compiles");
+        let batch = workshop.batch(&codes(language, &policies), None).expect("generated code compiles");
         for (place, (graph, options)) in policies.iter().enumerate() {
             let seed = seeds[place / Profile::ALL.len()];
             let mut process = batch.start(place, graph).expect("the program starts");

@@ -1,6 +1,6 @@
 //! Policies live side by side: two in one C program, two in one Rust program, and names that a language keeps for itself.
 
-use crate::common::{emit_into, fixture, options, run};
+use crate::common::{code, emit_into, fixture, options, run};
 use std::fs;
 use std::process::Command;
 use tempfile::TempDir;
@@ -105,10 +105,11 @@ fn names_that_generated_code_uses_itself() {
     let workshop = Workshop::new().expect("a temporary folder");
     for prefix in ["match", "policy", "self", "source", "state", "move"] {
         let pure = options(prefix, Style::Pure);
-        let mut c = workshop.run(Language::C, &graph, &pure).expect("C compiles");
-        let mut drop_in =
-            workshop.run(Language::C, &graph, &options(prefix, Style::Gegelati)).expect("GEGELATI-style C compiles");
-        let mut rust = workshop.run(Language::Rust, &graph, &pure).expect("Rust compiles");
+        let mut c = workshop.start(&code(Language::C, &graph, &pure)).expect("C compiles");
+        let mut drop_in = workshop
+            .start(&code(Language::C, &graph, &options(prefix, Style::Gegelati)))
+            .expect("GEGELATI-style C compiles");
+        let mut rust = workshop.start(&code(Language::Rust, &graph, &pure)).expect("Rust compiles");
         let comparisons = verify::compare(&graph, &mut [&mut c, &mut drop_in, &mut rust], 100, 1).expect("they run");
         assert!(comparisons.iter().all(|comparison| comparison.differences == 0), "{prefix}: {comparisons:?}");
     }

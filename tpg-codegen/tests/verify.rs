@@ -1,5 +1,6 @@
 //! Generated code acts like the interpreter: compiled and run.
 
+use crate::common::code;
 use tpg_codegen::compile;
 use tpg_codegen::emit::{Code, Language, Options, Profile, Style};
 use tpg_codegen::verify::{self, Proof, Workshop};
@@ -17,11 +18,11 @@ fn assert_equal(graph: &Graph, states: usize) {
     let workshop = Workshop::new().expect("a temporary folder");
     let pure = Options::new("all_ops".parse().expect("a prefix"));
     let gegelati = Options { style: Style::Gegelati, ..pure.clone() };
-    let mut programs = vec![workshop.run(Language::C, graph, &gegelati).expect("GEGELATI-style C compiles")];
+    let mut programs = vec![workshop.start(&code(Language::C, graph, &gegelati)).expect("GEGELATI-style C compiles")];
     for profile in Profile::ALL {
         let options = Options { profile: Some(profile), ..pure.clone() };
-        programs.push(workshop.run(Language::C, graph, &options).expect("C compiles"));
-        programs.push(workshop.run(Language::Rust, graph, &options).expect("Rust compiles"));
+        programs.push(workshop.start(&code(Language::C, graph, &options)).expect("C compiles"));
+        programs.push(workshop.start(&code(Language::Rust, graph, &options)).expect("Rust compiles"));
     }
     let mut engines: Vec<&mut dyn Engine> = programs.iter_mut().map(|program| program as &mut dyn Engine).collect();
     let engines = engines.as_mut_slice();
@@ -94,7 +95,7 @@ fn a_different_policy_is_found_out() {
     let other = Graph::from_document("other", document).expect("a valid graph");
     let workshop = Workshop::new().expect("a temporary folder");
     let options = Options::new("other".parse().expect("a prefix"));
-    let mut c = workshop.run(Language::C, &other, &options).expect("C compiles");
+    let mut c = workshop.start(&code(Language::C, &other, &options)).expect("C compiles");
     let comparisons = verify::compare(&graph, &mut [&mut c], 20_000, 1).expect("the program runs");
     assert!(comparisons[0].differences > 0, "swapped edges change ties: {comparisons:?}");
     assert!(comparisons[0].first.is_some());

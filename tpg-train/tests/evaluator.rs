@@ -91,7 +91,7 @@ fn train<V: Evaluator<ArmTask>>(folder: &Path, environment: &ArmEnvironment<f32>
 
 #[test]
 fn a_run_is_the_same_wherever_its_roots_are_evaluated() {
-    let environment = arm::Config::default().environment::<f32>(Start::Rs);
+    let environment = arm::ArmConfig::default().environment::<f32>(Start::Rs);
     let folder = tempfile::tempdir().expect("a temporary folder");
     let local = LocalThreads::<f32, Own, _>::new(&environment, 2).expect("threads start");
     let wire = Wire { worker: Worker { environment: &environment }, sent: Cell::default() };
@@ -120,7 +120,7 @@ impl<V: Evaluator<ArmTask>> Evaluator<ArmTask> for Broken<V> {
 #[test]
 fn a_lost_machine_is_an_error_and_the_run_can_be_resumed() {
     let config = config();
-    let environment = arm::Config::default().environment::<f32>(Start::Rs);
+    let environment = arm::ArmConfig::default().environment::<f32>(Start::Rs);
     let folder = tempfile::tempdir().expect("a temporary folder");
     let local = || LocalThreads::<f32, Own, _>::new(&environment, 1).expect("threads start");
     let expected = train(&folder.path().join("whole"), &environment, &local());
@@ -159,7 +159,7 @@ impl Evaluator<ArmTask> for Losing<'_> {
 
 #[test]
 fn a_run_that_loses_its_evaluator_is_saved_and_ends_as_an_undisturbed_one() {
-    let environment = arm::Config::default().environment::<f32>(Start::Rs);
+    let environment = arm::ArmConfig::default().environment::<f32>(Start::Rs);
     let threads = || LocalThreads::<f32, Own, _>::new(&environment, 2).expect("threads start");
     let folder = tempfile::tempdir().expect("a temporary folder");
     let whole = train(&folder.path().join("whole"), &environment, &threads());
@@ -178,7 +178,7 @@ fn a_run_that_loses_its_evaluator_is_saved_and_ends_as_an_undisturbed_one() {
 
 #[test]
 fn an_episode_with_what_was_seen_is_the_same_as_one_that_is_run_again() {
-    let environment = arm::Config::default().environment::<f32>(Start::Rs);
+    let environment = arm::ArmConfig::default().environment::<f32>(Start::Rs);
     let threads = LocalThreads::<f32, Own, _>::new(&environment, 2).expect("threads start");
     // Policies that read little: what they do not read is seen, too.
     let policy = |action| {

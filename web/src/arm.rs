@@ -48,7 +48,7 @@ type Network = PackedPolicy<'static, { widowx_sac::SCRATCH }>;
 /// The state of an arm, as numbers that a page reads.
 #[repr(u32)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum State {
+pub enum ArmState {
     /// The graph acted last, or nothing has yet.
     #[default]
     Graph,
@@ -70,14 +70,14 @@ pub enum State {
     Timeout,
 }
 
-impl State {
+impl ArmState {
     /// Tests for the end of an episode.
     pub fn is_end(self) -> bool {
         !matches!(self, Self::Graph | Self::Network | Self::Planner)
     }
 }
 
-impl From<Outcome> for State {
+impl From<Outcome> for ArmState {
     fn from(outcome: Outcome) -> Self {
         match outcome {
             Outcome::Reached => Self::Reached,
@@ -93,7 +93,7 @@ impl From<Outcome> for State {
 /// An arm as a page reads it; the same layout in JavaScript.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct View {
+pub struct ArmView {
     /// Shoulder, end of the upper arm, elbow, wrist, tip of the hand: x, y, z each, mm.
     pub points: [[f32; 3]; 5],
     /// Hand to target, mm.
@@ -103,19 +103,19 @@ pub struct View {
     /// Actions since the target moved: of the graph (or the planner), of the network.
     pub actions: [u32; 2],
     /// The policy that acted last, or the end.
-    pub state: State,
+    pub state: ArmState,
     /// The state by which the graph decided last.
     pub seen: [f32; SEEN],
 }
 
 /// An episode of one of the four.
-enum Course {
+enum ArmCourse {
     Hybrid(HybridEpisode<'static, f32, Graph, Network, widowx_rs_hybrid::Detector>),
     /// Of the graph, the network or the planner.
-    Alone(Episode<'static, f32, Brent>, State),
+    Alone(Episode<'static, f32, Brent>, ArmState),
 }
 
-impl Course {
+impl ArmCourse {
     fn seen(&self) -> &Observation<f32> {
         match self {
             Self::Hybrid(episode) => episode.observation(),
@@ -133,8 +133,8 @@ pub struct Scene {
     seen: &'static Cell<[f32; SEEN]>,
     planner: Planner<'static>,
     target: [f64; 3],
-    courses: [Course; ARMS],
-    views: [View; ARMS],
+    courses: [ArmCourse; ARMS],
+    views: [ArmView; ARMS],
 }
 
 impl Scene {
@@ -148,7 +148,7 @@ impl Scene {
         let target = [0.0, 300.0, 300.0];
         let planner = Planner::new(&EXACT_ARM, Choice::NearestFree);
         let courses = courses(hybrid, [ARM.home; ARMS], target);
-        let mut scene = Self { hybrid, seen, planner, target, courses, views: [View::default(); ARMS] };
+        let mut scene = Self { hybrid, seen, planner, target, courses, views: [ArmView::default(); ARMS] };
         scene.show_all();
         Some(scene)
     }
@@ -179,29 +179,29 @@ impl Scene {
                 break;
             }
             let (driver, outcome) = match course {
-                Course::Hybrid(episode) => {
+                ArmCourse::Hybrid(episode) => {
                     let (driver, outcome) = episode.advance();
-                    (if driver == Driver::Sac { State::Network } else { State::Graph }, outcome)
+                    (if driver == Driver::Sac { ArmState::Network } else { ArmState::Graph }, outcome)
                 }
-                Course::Alone(episode, driver) => {
+                ArmCourse::Alone(episode, driver) => {
                     let seen = episode.observation();
                     let wanted = match driver {
-                        State::Network => self.hybrid.sac.decide(seen),
-                        State::Planner => self.planner.decide(&Observation::at(&EXACT_ARM, seen.pose, self.target)),
+                        ArmState::Network => self.hybrid.sac.decide(seen),
+                        ArmState::Planner => self.planner.decide(&Observation::at(&EXACT_ARM, seen.pose, self.target)),
                         _ => self.hybrid.tpg.decide(seen),
                     };
                     (*driver, episode.advance(wanted))
                 }
             };
-            view.actions[usize::from(driver == State::Network)] += 1;
-            view.state = outcome.map_or(driver, State::from);
+            view.actions[usize::from(driver == ArmState::Network)] += 1;
+            view.state = outcome.map_or(driver, ArmState::from);
             view.seen = self.seen.get();
         }
         self.show(arm);
     }
 
     /// Shows an arm; the first one for a number beyond the last.
-    pub fn view(&self, arm: usize) -> &View {
+    pub fn view(&self, arm: usize) -> &ArmView {
         self.views.get(arm).unwrap_or(&self.views[0])
     }
 
@@ -213,7 +213,7 @@ impl Scene {
     fn begin(&mut self, poses: [Pose; ARMS]) {
         self.courses = courses(self.hybrid, poses, self.target);
         for view in &mut self.views {
-            (view.actions, view.state) = ([0; 2], State::Graph);
+            (view.actions, view.state) = ([0; 2], ArmState::Graph);
         }
         self.show_all();
     }
@@ -230,7 +230,7 @@ impl Scene {
         view.pose = seen.pose.0.map(i32::from);
         // Where the target lies in the hand, there is nothing to do.
         if !view.state.is_end() && view.distance < TOLERANCE {
-            view.state = State::Reached;
+            view.state = ArmState::Reached;
         }
     }
 }
@@ -239,12 +239,12 @@ fn courses(
     hybrid: &'static Hybrid<'static, f32, Graph, Network>,
     poses: [Pose; ARMS],
     target: [f64; 3],
-) -> [Course; ARMS] {
+) -> [ArmCourse; ARMS] {
     [
-        Course::Hybrid(HybridEpisode::new(hybrid, task(poses[0], target), widowx_rs_hybrid::Detector::new())),
-        Course::Alone(Episode::new(&ARM, task(poses[1], target), Brent::new()), State::Graph),
-        Course::Alone(Episode::new(&ARM, task(poses[2], target), Brent::new()), State::Network),
-        Course::Alone(Episode::new(&ARM, task(poses[3], target), Brent::new()), State::Planner),
+        ArmCourse::Hybrid(HybridEpisode::new(hybrid, task(poses[0], target), widowx_rs_hybrid::Detector::new())),
+        ArmCourse::Alone(Episode::new(&ARM, task(poses[1], target), Brent::new()), ArmState::Graph),
+        ArmCourse::Alone(Episode::new(&ARM, task(poses[2], target), Brent::new()), ArmState::Network),
+        ArmCourse::Alone(Episode::new(&ARM, task(poses[3], target), Brent::new()), ArmState::Planner),
     ]
 }
 

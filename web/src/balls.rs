@@ -6,7 +6,7 @@ use tpg_engine::Environment;
 use tpg_generated::dodge::Dodge;
 use tpg_problems::dodge::episode::{End, Episode};
 use tpg_problems::dodge::scene::Scene;
-use tpg_problems::dodge::{BODY, Config, Dodge as Problem};
+use tpg_problems::dodge::{BODY, Dodge as Problem, DodgeConfig};
 use tpg_runtime::policy::{ActionId, Policy};
 
 /// Hand and target are less than this apart at the end, mm.
@@ -17,7 +17,7 @@ pub const BALLS: usize = 3;
 /// An arm among balls as a page reads it; the same layout in JavaScript.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct View {
+pub struct BallsView {
     /// Shoulder, end of the upper arm, elbow, wrist, tip of the hand: x, y, z each, mm.
     pub points: [[f32; 3]; 5],
     /// Centre and radius of each ball, mm.
@@ -37,7 +37,7 @@ pub struct View {
 }
 
 /// An arm on its way.
-struct Course {
+struct BallsCourse {
     episode: Episode,
     dodger: Dodger,
     /// True for the policy, false for the straight walk.
@@ -50,8 +50,8 @@ pub const ARMS: usize = 2;
 /// Two arms in the same scene.
 #[derive(Default)]
 pub struct Balls {
-    courses: Vec<Course>,
-    views: [View; ARMS],
+    courses: Vec<BallsCourse>,
+    views: [BallsView; ARMS],
 }
 
 impl Balls {
@@ -60,10 +60,10 @@ impl Balls {
         let course = |learned| {
             let episode = Episode::new(scene);
             let dodger = Dodger::new(DodgerSettings { guard: learned, ..DodgerSettings::DEFAULT }, &episode.view());
-            Course { episode, dodger, learned }
+            BallsCourse { episode, dodger, learned }
         };
         self.courses = vec![course(true), course(false)];
-        self.views = [View::default(); ARMS];
+        self.views = [BallsView::default(); ARMS];
         (0..ARMS).for_each(|arm| self.show(arm));
     }
 
@@ -87,7 +87,7 @@ impl Balls {
     }
 
     /// Shows an arm; the first one for a number beyond the last.
-    pub fn view(&self, arm: usize) -> &View {
+    pub fn view(&self, arm: usize) -> &BallsView {
         self.views.get(arm).unwrap_or(&self.views[0])
     }
 
@@ -112,5 +112,5 @@ const STRAIGHT: ActionId = ActionId(1);
 /// Reads a scene as [`tpg_problems`] serialises it, by postcard; `None` for bytes that are not one.
 pub fn scene(bytes: &[u8]) -> Option<Scene> {
     let scene = postcard::from_bytes(bytes).ok()?;
-    Environment::<f32>::accepts(&Problem::new(&Config::default()), &scene).then_some(scene)
+    Environment::<f32>::accepts(&Problem::new(&DodgeConfig::default()), &scene).then_some(scene)
 }

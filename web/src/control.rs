@@ -15,7 +15,7 @@ pub const STATE: usize = 4;
 /// A problem as a page reads it; the same layout in JavaScript.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct View {
+pub struct ControlView {
     /// Position and velocity, angle and angular velocity: whatever an episode can begin with.
     pub state: [f64; STATE],
     /// The number of the last action, or the last torque.
@@ -43,7 +43,7 @@ pub trait Rig {
     /// Sets a constant of the rules, by its number in the problem's list; an unknown number changes nothing.
     fn set(&mut self, constant: usize, to: f64);
     /// Shows it.
-    fn view(&self) -> &View;
+    fn view(&self) -> &ControlView;
 }
 
 /// An environment with the policy that drives it.
@@ -54,7 +54,7 @@ struct Driven<E: ByEight<M>, const N: usize, const M: usize> {
     /// The constants that a page may change, in its order.
     constants: fn(&mut E::Physics) -> [&mut f64; 2],
     episode: [f64; M],
-    view: View,
+    view: ControlView,
 }
 
 impl<E, const N: usize, const M: usize> Driven<E, N, M>
@@ -68,7 +68,7 @@ where
         constants: fn(&mut E::Physics) -> [&mut f64; 2],
     ) -> Self {
         let task = environment.draw(&mut Stream::new(1, 0, Purpose::Test, 0));
-        let view = View { last_score: f64::NAN, ..View::default() };
+        let view = ControlView { last_score: f64::NAN, ..ControlView::default() };
         let episode = environment.start(&task);
         let mut driven = Self { environment, policy, physics, constants, episode, view };
         driven.show();
@@ -135,7 +135,7 @@ where
         }
     }
 
-    fn view(&self) -> &View {
+    fn view(&self) -> &ControlView {
         &self.view
     }
 }

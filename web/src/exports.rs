@@ -55,9 +55,9 @@ pub extern "C" fn tpg_arm_act(arm: u32, count: u32) {
     scene(|scene| scene.act(arm as usize, count));
 }
 
-/// Returns the place of an arm's [`arm::View`]; null if the network in flash is damaged.
+/// Returns the place of an arm's [`arm::ArmView`]; null if the network in flash is damaged.
 #[unsafe(no_mangle)]
-pub extern "C" fn tpg_arm_view(arm: u32) -> *const arm::View {
+pub extern "C" fn tpg_arm_view(arm: u32) -> *const arm::ArmView {
     SCENE.with_borrow(|scene| scene.as_ref().map_or(ptr::null(), |scene| ptr::from_ref(scene.view(arm as usize))))
 }
 
@@ -84,9 +84,9 @@ pub extern "C" fn tpg_balls_act(arm: u32) {
     BALLS.with_borrow_mut(|balls| balls.act(arm as usize));
 }
 
-/// Returns the place of an arm's [`balls::View`].
+/// Returns the place of an arm's [`balls::BallsView`].
 #[unsafe(no_mangle)]
-pub extern "C" fn tpg_balls_view(arm: u32) -> *const balls::View {
+pub extern "C" fn tpg_balls_view(arm: u32) -> *const balls::BallsView {
     BALLS.with_borrow(|balls| ptr::from_ref(balls.view(arm as usize)))
 }
 
@@ -114,9 +114,9 @@ pub extern "C" fn tpg_control_set(problem: u32, constant: u32, to: f64) {
     rig(problem, |rig| rig.set(constant as usize, to));
 }
 
-/// Returns the place of a problem's [`control::View`]; null for a problem that there is not.
+/// Returns the place of a problem's [`control::ControlView`]; null for a problem that there is not.
 #[unsafe(no_mangle)]
-pub extern "C" fn tpg_control_view(problem: u32) -> *const control::View {
+pub extern "C" fn tpg_control_view(problem: u32) -> *const control::ControlView {
     RIGS.with_borrow(|rigs| rigs.get(problem as usize).map_or(ptr::null(), |rig| ptr::from_ref(rig.view())))
 }
 
@@ -138,8 +138,8 @@ pub extern "C" fn tpg_eye_drag(down: f32, right: f32) {
     CAMERA.with_borrow_mut(|camera| camera.drag(down, right));
 }
 
-/// Returns the place of the camera's [`eye::View`].
+/// Returns the place of the camera's [`eye::EyeView`].
 #[unsafe(no_mangle)]
-pub extern "C" fn tpg_eye_view() -> *const eye::View {
+pub extern "C" fn tpg_eye_view() -> *const eye::EyeView {
     CAMERA.with_borrow(|camera| ptr::from_ref(camera.view()))
 }

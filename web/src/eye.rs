@@ -7,7 +7,7 @@ use tpg_runtime::policy::Policy;
 /// A camera as a page reads it; the same layout in JavaScript.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct View {
+pub struct EyeView {
     /// The image, row after row.
     pub pixels: [u8; ROWS * COLUMNS],
     /// Row, column and contrast of the brightest window of the image, then of the darkest.
@@ -24,13 +24,13 @@ pub struct View {
 #[derive(Debug)]
 pub struct Camera {
     scene: EyeScene,
-    view: View,
+    view: EyeView,
 }
 
 impl Camera {
     /// Begins the scene of a seed.
     pub fn new(seed: u32) -> Self {
-        let view = View { pixels: [0; ROWS * COLUMNS], seen: [0.0; 6], action: [0.0; 2], ball: [0.0; 2], ended: 0 };
+        let view = EyeView { pixels: [0; ROWS * COLUMNS], seen: [0.0; 6], action: [0.0; 2], ball: [0.0; 2], ended: 0 };
         let mut camera = Self { scene: EyeScene::new(seed.into()), view };
         camera.look();
         camera
@@ -63,7 +63,7 @@ impl Camera {
     }
 
     /// Shows it.
-    pub fn view(&self) -> &View {
+    pub fn view(&self) -> &EyeView {
         &self.view
     }
 }

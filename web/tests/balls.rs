@@ -4,7 +4,7 @@ use tpg_arm::dodge::Behaviour;
 use tpg_engine::{Act, Environment};
 use tpg_generated::dodge::Dodge as Policy;
 use tpg_problems::dodge::scene::Scene;
-use tpg_problems::dodge::{Config, Dodge, file};
+use tpg_problems::dodge::{Dodge, DodgeConfig, file};
 use tpg_runtime::policy::Policy as _;
 use tpg_testing::library::top;
 use tpg_web::balls::{Balls, scene};
@@ -16,7 +16,7 @@ fn bytes(scene: &Scene) -> Vec<u8> {
 #[test]
 fn episodes_end_as_in_the_problem() {
     let scenes = file::read_csv(&top().join("generated/test-targets/dodge.csv")).expect("the test scenes");
-    let problem = Dodge::new(&Config::default());
+    let problem = Dodge::new(&DodgeConfig::default());
     let mut ends = [[0; 4]; 2];
     for task in scenes.iter().take(60).map(|certified| &certified.scene) {
         let mut balls = Balls::default();

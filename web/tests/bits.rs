@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::Command;
 use support::page;
 use tpg_testing::library::top;
-use tpg_web::arm::{Scene, State};
+use tpg_web::arm::{ArmState, Scene};
 use tpg_web::eye::Camera;
 
 /// FNV-1a of 64 bits over poses and images.
@@ -41,7 +41,7 @@ fn native(targets: &[[f64; 3]]) -> String {
             hash.add(scene.poses()[0].0.iter().flat_map(|ticks| ticks.to_le_bytes()));
             actions += 1;
         }
-        reached += u32::from(scene.view(0).state == State::Reached);
+        reached += u32::from(scene.view(0).state == ArmState::Reached);
     }
     let mut camera = Camera::new(1);
     for _ in 0..200 {

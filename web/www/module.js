@@ -1,4 +1,4 @@
-// The module and what it shows: the layouts are those of `View` in `arm`, `balls`, `eye` and `control`.
+// The module and what it shows: the layouts are those of `ArmView`, `BallsView`, `EyeView` and `ControlView`.
 
 export const ARMS = ["hybrid", "graph", "network", "planner"];
 export const STATES = ["graph", "network", "planner", "reached", "stop", "cycle", "joint limit", "collision", "time limit"];

@@ -10,7 +10,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 use std::{env, fs, io};
-use tpg_testing::library::{target_folder, top};
+use tpg_testing::answers;
+use tpg_testing::library::{cargo, target_folder, top};
 
 /// The crate that needs a Python interpreter: `python.rs` builds and tests it.
 const PYTHON: &str = "tpg-python";
@@ -32,13 +33,6 @@ pub(crate) fn run(checks: impl FnOnce(&mut Run)) -> bool {
     run.summary.good()
 }
 
-/// Returns the cargo that runs this program.
-pub(crate) fn cargo(arguments: &[&str]) -> Command {
-    let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    command.args(arguments);
-    command
-}
-
 /// Runs a command and shows it first.
 pub(crate) fn step(mut command: Command) -> io::Result<()> {
     let program = Path::new(command.get_program()).file_name().unwrap_or_default().to_string_lossy();
@@ -48,14 +42,6 @@ pub(crate) fn step(mut command: Command) -> io::Result<()> {
         status if status.success() => Ok(()),
         status => Err(io::Error::other(format!("{}: {status}", command.get_program().display()))),
     }
-}
-
-/// True if a program answers without an error; its toolchain is the one that it names, not the pinned one.
-pub(crate) fn answers(program: &str, words: &[&str]) -> bool {
-    let mut command = Command::new(program);
-    command.args(words).env_remove("RUSTUP_TOOLCHAIN");
-    command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
-    command.status().is_ok_and(|status| status.success())
 }
 
 /// Returns a command of cargo on the workspace without some crates, and without what this machine cannot build.
@@ -144,16 +130,21 @@ impl Run {
     }
 
     /// Runs a command that counts as one check.
-    pub(crate) fn check(&mut self, name: &str, mut command: Command) {
-        let began = Instant::now();
-        let result = self.start(name, &mut command).and_then(|()| command.status());
-        self.summary.note(name, began.elapsed(), result.map(|status| (status.success(), Count::default())));
+    pub(crate) fn check(&mut self, name: &str, command: Command) {
+        self.timed(name, command, |command| Ok((command.status()?.success(), Count::default())));
     }
 
     /// Runs a command whose tests are counted.
-    pub(crate) fn tests(&mut self, name: &str, mut command: Command) {
+    pub(crate) fn tests(&mut self, name: &str, command: Command) {
+        self.timed(name, command, counted);
+    }
+
+    fn timed(&mut self, name: &str, mut command: Command, run: impl FnOnce(&mut Command) -> io::Result<(bool, Count)>) {
+        let words: Vec<_> = command.get_args().map(|word| word.to_string_lossy()).collect();
+        let program = Path::new(command.get_program()).file_name().unwrap_or_default().display();
+        println!("\n==== {name}: {program} {}", words.join(" "));
         let began = Instant::now();
-        let result = self.start(name, &mut command).and_then(|()| counted(&mut command));
+        let result = run(command.env(tpg_testing::LOG, &self.log).stdin(Stdio::null()));
         self.summary.note(name, began.elapsed(), result);
     }
 
@@ -255,14 +246,6 @@ impl Run {
         command.env("CARGO_TARGET_DIR", tpg_testing::library::target_folder().join("oldest"));
         command.env_remove("RUSTUP_TOOLCHAIN").env_remove("CARGO").env_remove("RUSTC");
         self.check(&format!("Rust {version}"), command);
-    }
-
-    fn start(&self, name: &str, command: &mut Command) -> io::Result<()> {
-        let words: Vec<_> = command.get_args().map(|word| word.to_string_lossy()).collect();
-        let program = Path::new(command.get_program()).file_name().unwrap_or_default().display();
-        println!("\n==== {name}: {program} {}", words.join(" "));
-        command.env(tpg_testing::LOG, &self.log).stdin(Stdio::null());
-        Ok(())
     }
 }
 

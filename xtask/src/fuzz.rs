@@ -1,10 +1,10 @@
 //! Runs the fuzz targets under libFuzzer; needs a nightly compiler and cargo-fuzz, and skips loudly without them.
 
-use crate::check::{Run, answers};
+use crate::check::Run;
 use std::path::Path;
 use std::process::Command;
 use std::{fs, io};
-use tpg_testing::library;
+use tpg_testing::{answers, library};
 
 /// Longest input, bytes: more would only be more of the same.
 const LONGEST: u32 = 20_000;

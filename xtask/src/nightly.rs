@@ -1,9 +1,9 @@
 //! Checks that need a nightly compiler: Miri, and sanitizers. Without their tools they are skipped loudly.
 
-use crate::check::{Run, answers};
+use crate::check::Run;
 use std::process::Command;
-use tpg_testing::exists;
 use tpg_testing::library::{host, target_folder, top};
+use tpg_testing::{answers, exists};
 
 /// The tests that Miri interprets.
 ///

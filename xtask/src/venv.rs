@@ -1,9 +1,10 @@
 //! Virtual environments of Python under the target folder, with pinned packages.
 
-use crate::check::{answers, step};
+use crate::check::step;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs, io};
+use tpg_testing::answers;
 
 /// Finds a Python of 3.10 or newer that can make virtual environments.
 pub(crate) fn interpreter() -> Option<String> {

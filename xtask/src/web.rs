@@ -1,10 +1,10 @@
 //! The page: the module as WebAssembly, its data, and tests under Node and in a browser.
 
-use crate::check::{Run, cargo, program, step};
+use crate::check::{Run, program, step};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{fs, io};
-use tpg_testing::library::{has_target, target_folder, top};
+use tpg_testing::library::{cargo, has_target, target_folder, top};
 
 /// The target of the module.
 pub(crate) const TARGET: &str = "wasm32-unknown-unknown";

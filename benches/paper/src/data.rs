@@ -15,11 +15,15 @@ use tpg_graph::error::{InputError, Place};
 pub use tpg_problems::arm::targets::Task;
 
 /// A recorded end of an episode.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 pub struct End {
+    /// Row of the targets file.
+    pub row: u32,
     /// End state.
+    #[serde(flatten)]
     pub state: EndState,
     /// Number of actions chosen by the graph, if recorded.
+    #[serde(rename = "nb_tpg_actions")]
     pub tpg_actions: Option<u32>,
 }
 
@@ -38,28 +42,6 @@ struct TaskRow {
     tz: f64,
 }
 
-/// A row of a file of end states.
-#[derive(Clone, Copy, Debug, Deserialize)]
-pub struct EndRow {
-    /// Row of the targets file.
-    pub row: u32,
-    score_x1000: i64,
-    distance_um: i64,
-    success: u8,
-    collision: u8,
-    nb_actions: u32,
-    nb_tpg_actions: Option<u32>,
-}
-
-#[derive(Deserialize)]
-struct TraceRow {
-    row: u32,
-    m0: i16,
-    m1: i16,
-    m2: i16,
-    m3: i16,
-}
-
 /// Reads the starts and targets of the recorded episodes.
 ///
 /// # Errors
@@ -71,34 +53,12 @@ pub fn tasks(path: &Path) -> Result<ByRow<Task>, InputError> {
     Ok(rows(path)?.into_iter().map(task).collect())
 }
 
-impl EndRow {
-    /// Returns the end.
-    pub fn end(&self) -> End {
-        let &Self { score_x1000, distance_um, success, collision, nb_actions: actions, nb_tpg_actions, .. } = self;
-        let (success, collision) = (success == 1, collision == 1);
-        let state = EndState { score_x1000, distance_um, success, collision, actions };
-        End { state, tpg_actions: nb_tpg_actions }
-    }
-}
-
 /// Reads the recorded end states.
 ///
 /// # Errors
 /// As [`rows`].
 pub fn ends(path: &Path) -> Result<ByRow<End>, InputError> {
-    Ok(rows::<EndRow>(path)?.into_iter().map(|row| (row.row, row.end())).collect())
-}
-
-/// Reads the pose after each step.
-///
-/// # Errors
-/// As [`rows`].
-pub fn traces(path: &Path) -> Result<ByRow<Vec<Pose>>, InputError> {
-    let mut traces: ByRow<Vec<Pose>> = ByRow::new();
-    for TraceRow { row, m0, m1, m2, m3 } in rows(path)? {
-        traces.entry(row).or_default().push(Pose([m0, m1, m2, m3]));
-    }
-    Ok(traces)
+    Ok(rows(path)?.into_iter().map(|end: End| (end.row, end)).collect())
 }
 
 /// Reads the rows of a CSV file, gzip allowed.

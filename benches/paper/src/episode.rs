@@ -6,6 +6,7 @@
 
 use super::chain::Chain;
 use super::plane;
+use serde::{Deserialize, Deserializer};
 use std::collections::HashSet;
 use tpg_arm::kinematics::Vector;
 use tpg_arm::observation::Observation;
@@ -26,18 +27,26 @@ pub struct Rules {
 }
 
 /// End of an episode, in the numbers recorded by the artifact.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 pub struct EndState {
     /// 1000 · score, truncated.
     pub score_x1000: i64,
     /// Final distance between hand and target in µm, truncated.
     pub distance_um: i64,
     /// True if the hand ended at its target.
+    #[serde(deserialize_with = "flag")]
     pub success: bool,
     /// True if the last action was invalid.
+    #[serde(deserialize_with = "flag")]
     pub collision: bool,
     /// Number of actions.
+    #[serde(rename = "nb_actions")]
     pub actions: u32,
+}
+
+/// Reads 0 or 1.
+fn flag<'de, D: Deserializer<'de>>(number: D) -> Result<bool, D::Error> {
+    Ok(u8::deserialize(number)? == 1)
 }
 
 /// A running episode.

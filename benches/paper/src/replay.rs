@@ -105,7 +105,12 @@ impl Comparison {
     }
 }
 
-fn compare<R>(recorded: &ByRow<R>, done: &ByRow<Done>, difference: impl Fn(&R, &Done) -> Option<String>) -> Comparison {
+/// Compares what was recorded of each episode with what was done.
+pub fn compare<R>(
+    recorded: &ByRow<R>,
+    done: &ByRow<Done>,
+    difference: impl Fn(&R, &Done) -> Option<String>,
+) -> Comparison {
     let mut comparison = Comparison::default();
     for (row, recorded) in recorded {
         let replayed = done.get(row);
@@ -118,13 +123,9 @@ fn compare<R>(recorded: &ByRow<R>, done: &ByRow<Done>, difference: impl Fn(&R, &
     comparison
 }
 
-/// Compares all recorded columns of end states.
-pub fn compare_ends(recorded: &ByRow<End>, done: &ByRow<Done>) -> Comparison {
-    compare(recorded, done, |end, done| end_difference(end, &done.end))
-}
-
-fn end_difference(recorded: &End, replayed: &EndState) -> Option<String> {
-    let state = &recorded.state;
+/// Describes the recorded columns of an end state that differ.
+pub fn end_difference(recorded: &End, done: &Done) -> Option<String> {
+    let (state, replayed) = (&recorded.state, &done.end);
     let columns = [
         ("score_x1000", state.score_x1000, replayed.score_x1000),
         ("distance_um", state.distance_um, replayed.distance_um),
@@ -141,24 +142,9 @@ fn end_difference(recorded: &End, replayed: &EndState) -> Option<String> {
     (!differences.is_empty()).then(|| differences.join(", "))
 }
 
-/// Compares all recorded steps of traces.
-pub fn compare_traces(recorded: &ByRow<Vec<Pose>>, done: &ByRow<Done>) -> Comparison {
-    compare(recorded, done, |trace, done| trace_difference(trace, &done.poses))
-}
-
-fn trace_difference(recorded: &[Pose], replayed: &[Pose]) -> Option<String> {
-    let steps = (1..).zip(recorded.iter().zip(replayed));
-    let differs = steps.into_iter().find(|(_, (recorded, replayed))| recorded != replayed);
-    if let Some((step, (recorded, replayed))) = differs {
-        return Some(format!("step {step}: pose {:?} instead of {:?}", replayed.0, recorded.0));
-    }
-    let lengths = (recorded.len(), replayed.len());
-    (lengths.0 != lengths.1).then(|| format!("{} steps instead of {}", lengths.1, lengths.0))
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Comparison, Done, compare_ends, compare_traces, run};
+    use super::{Done, compare, end_difference, run};
     use crate::binding::Binding;
     use crate::chain::Chain;
     use crate::data::{ByRow, End, Task};
@@ -235,20 +221,16 @@ mod tests {
         let [a, b] = [4091, 4094].map(|base| Pose([base, 2048, 2048, 2048]));
         let end = EndState { score_x1000: -9, distance_um: 9, success: false, collision: true, actions: 2 };
         let done: ByRow<Done> = [(7, Done { poses: vec![a, b], end })].into();
-        let ends = |state: EndState, tpg_actions| compare_ends(&[(7, End { state, tpg_actions })].into(), &done);
+        let ends = |state: EndState, tpg_actions| {
+            compare(&[(7, End { row: 7, state, tpg_actions })].into(), &done, end_difference)
+        };
         assert!(ends(end, None).is_exact() && ends(end, Some(2)).is_exact());
         let other = ends(EndState { success: true, ..end }, Some(1));
         assert!(!other.is_exact());
         let difference = "row 7: success 0 instead of 1, nb_tpg_actions 2 instead of 1";
         assert_eq!(other.first_difference.as_deref(), Some(difference));
-        assert!(!compare_ends(&[(8, End { state: end, tpg_actions: None })].into(), &done).is_exact());
-
-        let traces = |poses: &[Pose]| compare_traces(&[(7, poses.to_vec())].into(), &done);
-        let exact = Comparison { rows: 1, exact_rows: 1, first_difference: None };
-        assert_eq!(traces(&[a, b]), exact);
-        let difference = "row 7: step 2: pose [4094, 2048, 2048, 2048] instead of [4091, 2048, 2048, 2048]";
-        assert_eq!(traces(&[a, a]).first_difference.as_deref(), Some(difference));
-        assert_eq!(traces(&[a]).first_difference.as_deref(), Some("row 7: 2 steps instead of 1"));
+        let unknown = [(8, End { row: 8, state: end, tpg_actions: None })].into();
+        assert!(!compare(&unknown, &done, end_difference).is_exact());
     }
 
     #[test]

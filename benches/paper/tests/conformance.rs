@@ -2,9 +2,10 @@
 
 use crate::support;
 use crate::support::fk::{self, Exactness, Nearness};
+use crate::support::traces::{trace_difference, traces};
 use std::path::Path;
 use tpg_arm::WIDOWX;
-use tpg_codegen::emit::{Language, Options, Prefix};
+use tpg_codegen::emit::{Code, Language, Options, Prefix};
 use tpg_codegen::verify::Workshop;
 use tpg_engine::{Plan, PolicyGraph, Single};
 use tpg_graph::engine::{Engine, Reference};
@@ -92,7 +93,8 @@ impl Decider {
             // The folder is deleted on return; the program started from it keeps running.
             Self::Code(language) => {
                 let options = Options::new(Prefix::of_file(file));
-                Box::new(Workshop::new().unwrap().run(language, graph, &options).unwrap())
+                let code = Code::of_graph("the graph", graph, &options, language).unwrap();
+                Box::new(Workshop::new().unwrap().start(&code).unwrap())
             }
         }
     }
@@ -147,12 +149,12 @@ fn replay_all(folder: &Path, cases: &[Case], engine: Decider) -> Totals {
         let mut engine = engine.start(&file, &graph);
         let done = replay::run(&chain, rules, &tasks, &binding, engine.as_mut()).unwrap();
 
-        let mut comparisons = vec![replay::compare_ends(&ends, &done)];
+        let mut comparisons = vec![replay::compare(&ends, &done, replay::end_difference)];
         totals.graphs += 1;
         totals.end_rows += comparisons[0].exact_rows;
         if let Some(suffix) = case.trace {
-            let traces = data::traces(&folder.join(format!("{}{suffix}", case.recorded))).unwrap();
-            let comparison = replay::compare_traces(&traces, &done);
+            let traces = traces(&folder.join(format!("{}{suffix}", case.recorded)));
+            let comparison = replay::compare(&traces, &done, trace_difference);
             totals.trace_rows += comparison.exact_rows;
             totals.steps += traces.values().map(Vec::len).sum::<usize>();
             comparisons.push(comparison);

@@ -3,6 +3,7 @@
 use crate::support;
 use crate::support::sac::{max_actions, run};
 use crate::support::torch_random::TorchRandom;
+use crate::support::traces::{trace_difference, traces};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::fs;
@@ -104,8 +105,9 @@ fn stochastic_episodes_come_out_the_same() {
                     assert!(end.tpg_actions.is_none_or(|actions| actions == 0), "no action is a TPG's");
                     end.tpg_actions = None;
                 }
-                let traces = data::traces(&file(&format!("{mode}.trace.csv.gz"))).expect("a recorded trace");
-                let (of_ends, of_traces) = (replay::compare_ends(&ends, &done), replay::compare_traces(&traces, &done));
+                let traces = traces(&file(&format!("{mode}.trace.csv.gz")));
+                let of_ends = replay::compare(&ends, &done, replay::end_difference);
+                let of_traces = replay::compare(&traces, &done, trace_difference);
                 for comparison in [&of_ends, &of_traces] {
                     assert!(comparison.is_exact(), "{name} {seed} {mode}: {comparison:?}");
                 }

@@ -82,7 +82,7 @@ impl Figures {
 
     /// Differences from what is committed; a test compares the page.
     pub(super) fn differences(&self) -> Result<Vec<String>, Failure> {
-        let committed: Self = toml::from_str(&build::committed(FILE)?)?;
+        let committed: Self = build::committed(FILE)?;
         let tolerance = Tolerance::new(FILE, &committed.compilers, &self.compilers);
         let mut differences = Vec::new();
         for (name, found) in &self.core {
@@ -99,9 +99,9 @@ impl Figures {
 
     /// Takes these figures as the committed ones.
     pub(super) fn commit(&self) -> Result<(), Failure> {
-        let text = toml::to_string(self)?;
-        let head = "# Flash and instructions on each core; `cargo xtask cores --update` writes this file and docs/cores.md.\n\n";
-        build::commit(FILE, &format!("{head}{text}"))?;
+        let comment =
+            "Flash and instructions on each core; `cargo xtask cores --update` writes this file and docs/cores.md.";
+        build::commit(FILE, comment, self)?;
         let page = library::top().join("docs").join(PAGE);
         let text = CoresPage::new(self).render()? + "\n";
         build::write(&page, text)
@@ -203,8 +203,7 @@ mod tests {
 
     #[test]
     fn the_page_of_cores_is_fresh() {
-        let committed = build::committed(FILE).expect("the figures");
-        let figures: Figures = toml::from_str(&committed).expect("figures");
+        let figures: Figures = build::committed(FILE).expect("the figures");
         tpg_testing::book::page(PAGE, &(CoresPage::new(&figures).render().expect("a page") + "\n"));
     }
 }

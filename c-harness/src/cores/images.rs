@@ -1,10 +1,9 @@
 //! The images of a core, and the library in Rust that one of them holds.
 
 use super::core::{Core, Runner};
-use super::shipped::{self, Kind, Shipped};
+use super::shipped::{self, ImageKind, Shipped};
 use crate::Failure;
 use crate::build::{self, generated_c, room};
-use std::env;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -35,7 +34,7 @@ impl Place {
         let room = room()?.join("cores");
         let generated = room.join("generated");
         make_folder(&generated)?;
-        let asking = [(shipped, Kind::C), (integers, Kind::Integers), (shipped, Kind::Rust)];
+        let asking = [(shipped, ImageKind::C), (integers, ImageKind::Integers), (shipped, ImageKind::Rust)];
         let asking = asking.into_iter().map(|(policies, kind)| Ok(vec![shipped::policies_c(policies, kind)?]));
         let code = shipped.iter().chain(integers).map(Shipped::c).chain(asking);
         for File { name, text } in code.collect::<Result<Vec<_>, Failure>>()?.into_iter().flatten() {
@@ -92,9 +91,9 @@ impl Place {
     }
 
     /// The images of the policies in C, compiled before.
-    pub(super) fn in_c(&self, core: &Core, kind: Kind, shipped: &[Shipped]) -> Result<Vec<PathBuf>, Failure> {
+    pub(super) fn in_c(&self, core: &Core, kind: ImageKind, shipped: &[Shipped]) -> Result<Vec<PathBuf>, Failure> {
         // Of integers there are two for each policy.
-        let images = if kind == Kind::Integers { 2 * core.images } else { core.images };
+        let images = if kind == ImageKind::Integers { 2 * core.images } else { core.images };
         let image = |image: usize| {
             let policies = (image..shipped.len()).step_by(images);
             let chosen = policies.clone().fold(0, |chosen, index| chosen | 1 << index);
@@ -110,15 +109,14 @@ impl Place {
         if !library::rust_target(target, &format!("the generated Rust on {}", core.title())) {
             return Ok(None);
         }
-        let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-        cargo.current_dir(library::top()).args(["build", "--quiet", "--package", "tpg-cores", "--lib"]);
-        run(cargo.args(["--profile", "firmware", "--target", target]))?;
+        let package = ["build", "--quiet", "--package", "tpg-cores", "--lib"];
+        run(library::cargo(&package).args(["--profile", "firmware", "--target", target]))?;
         let archive = OsString::from(library::target_folder().join(target).join("firmware/libtpg_cores.a"));
         let folder = self.folder(core)?;
         let mut compiler = self.compiler(core, &folder);
         compiler.arg(self.firmware.join("cores/layers.c"));
         let layers = self.finish(core, compiler, std::slice::from_ref(&archive), folder.join("layers"))?;
-        let policies = self.link(core, "states-rust", Kind::Rust, u32::MAX, vec![archive])?;
+        let policies = self.link(core, "states-rust", ImageKind::Rust, u32::MAX, vec![archive])?;
         Ok(Some([policies, layers]))
     }
 
@@ -127,14 +125,14 @@ impl Place {
         &self,
         core: &Core,
         name: &str,
-        policies: Kind,
+        policies: ImageKind,
         chosen: u32,
         objects: Vec<OsString>,
     ) -> Result<PathBuf, Failure> {
         let folder = self.folder(core)?;
         let mut compiler = self.compiler(core, &folder);
         compiler
-            .arg(format!("-DSTATES={}U", core.bits().states(policies == Kind::Integers)))
+            .arg(format!("-DSTATES={}U", core.bits().states(policies == ImageKind::Integers)))
             .arg(self.firmware.join("cores/states.c"));
         compiler.arg(format!("-DIN_IMAGE={chosen:#x}U")).arg(self.generated.join(policies.file()));
         self.finish(core, compiler, &objects, folder.join(name))

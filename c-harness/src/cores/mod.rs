@@ -20,7 +20,7 @@ use crate::record::Hash;
 use core::{CORES, Core};
 use figures::Figures;
 use images::{EPISODES, Place};
-use shipped::{Kind, Shipped};
+use shipped::{ImageKind, Shipped};
 use std::fs;
 use tpg_cores::layers;
 use tpg_runtime::net::Kind as Network;
@@ -77,7 +77,7 @@ fn one(
     figures: &mut Figures,
 ) -> Result<bool, Failure> {
     let run = |image: &std::path::Path| emulate::until_done(&mut core.run(image, &place.wasi()));
-    for (language, kind, policies) in [("C", Kind::C, shipped), ("C in integers", Kind::Integers, integers)] {
+    for (language, kind, policies) in [("C", ImageKind::C, shipped), ("C in integers", ImageKind::Integers, integers)] {
         figures.add_flash(core, place.policies(core, policies)?);
         let mut lines = Vec::new();
         for image in place.in_c(core, kind, policies)? {

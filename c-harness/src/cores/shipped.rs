@@ -236,13 +236,13 @@ struct PoliciesC {
 
 /// The code whose policies a file asks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum ImageKind {
     C,
     Integers,
     Rust,
 }
 
-impl Kind {
+impl ImageKind {
     /// The name of the file.
     pub(super) const fn file(self) -> &'static str {
         match self {
@@ -254,9 +254,9 @@ impl Kind {
 }
 
 /// `policies.c`, of generated C, in floats or integers, or of generated Rust.
-pub(super) fn policies_c(shipped: &[Shipped], kind: Kind) -> Result<File, Failure> {
-    let asked = shipped.iter().filter(|one| kind != Kind::Rust || one.in_rust());
+pub(super) fn policies_c(shipped: &[Shipped], kind: ImageKind) -> Result<File, Failure> {
+    let asked = shipped.iter().filter(|one| kind != ImageKind::Rust || one.in_rust());
     let policies = asked.zip(0..).map(|(one, index)| one.view(index)).collect();
-    let file = PoliciesC { policies, integers: kind == Kind::Integers, rust: kind == Kind::Rust };
+    let file = PoliciesC { policies, integers: kind == ImageKind::Integers, rust: kind == ImageKind::Rust };
     Ok(File { name: kind.file().to_owned(), text: file.render()? })
 }

@@ -3,13 +3,11 @@
 use Scale::*;
 
 /// Distribution of values along an axis.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Scale {
     Linear,
     /// Logarithmic.
     Log,
-    /// One position per name: name k is at the value k.
-    Names(Vec<String>),
 }
 
 /// One axis of a plot.
@@ -31,12 +29,6 @@ impl Axis {
     /// Creates a logarithmic axis; values below `low` are shown at `low`.
     pub fn log(label: &str, low: f64) -> Self {
         Self { label: label.to_owned(), scale: Log, low: Some(low), high: None }
-    }
-
-    /// Creates an axis of names: the k-th name, from 0, is at the value k.
-    pub fn names(label: &str, names: Vec<String>) -> Self {
-        let high = names.len() as f64 - 0.5;
-        Self { label: label.to_owned(), scale: Names(names), low: Some(-0.5), high: Some(high) }
     }
 
     /// Returns the same axis with fixed ends that do not depend on the data.
@@ -84,20 +76,19 @@ impl Fitted<'_> {
                 let low = libm::log10(self.low);
                 (libm::log10(value) - low) / (libm::log10(self.high) - low)
             }
-            _ => (value - self.low) / (self.high - self.low),
+            Linear => (value - self.low) / (self.high - self.low),
         }
     }
 
     /// Returns the values to be labelled on the axis, with their text.
     pub(super) fn ticks(&self) -> Vec<(f64, String)> {
-        match &self.axis.scale {
+        match self.axis.scale {
             Linear => self.round_steps(),
             Log => {
                 let (low, high) = (libm::log10(self.low), libm::log10(self.high));
                 let powers = (libm::ceil(low - 1e-9) as i32)..=(libm::floor(high + 1e-9) as i32);
                 powers.map(|power| (power_of_ten(power), number(power_of_ten(power), power))).collect()
             }
-            Names(names) => (0..).map(f64::from).zip(names.iter().cloned()).collect(),
         }
     }
 
@@ -143,7 +134,6 @@ mod tests {
         assert_eq!(texts(&Axis::linear(""), [0.0, 1e6])[..3], ["0", "200 k", "400 k"]);
         assert_eq!(texts(&Axis::linear(""), [8e5, 1.2e6]), ["800 k", "900 k", "1.00 M", "1.10 M", "1.20 M"]);
         assert_eq!(texts(&Axis::log("", 0.1), [0.5, 300.0]), ["0.1", "1", "10", "100"]);
-        assert_eq!(texts(&Axis::names("", vec!["a".into(), "b".into()]), [0.0, 1.0]), ["a", "b"]);
         assert_eq!(texts(&Axis::linear(""), [f64::NAN, f64::NAN]).len(), 6, "no data is no reason to fail");
     }
 

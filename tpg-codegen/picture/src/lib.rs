@@ -16,5 +16,5 @@ const STYLE: &str = include_str!("../templates/picture.css");
 
 pub use axis::Axis;
 pub use page::{Figure, Formulas, Headline, Page, Section, Table};
-pub use plot::{Colour, FiveNumbers, Plot};
+pub use plot::{Colour, Plot};
 pub use svg::{Point, Svg};

@@ -30,7 +30,7 @@ impl Svg {
     }
 
     /// Adds an area.
-    pub fn polygon(&mut self, class: &str, points: &[Point]) {
+    pub(crate) fn polygon(&mut self, class: &str, points: &[Point]) {
         self.put(format_args!("<polygon class=\"{class}\" points=\"{}\"/>", Points(points)));
     }
 
@@ -65,7 +65,7 @@ impl Svg {
     }
 
     /// Adds a short text that reads upwards.
-    pub fn upright_text(&mut self, class: &str, at: Point, text: &str) {
+    pub(crate) fn upright_text(&mut self, class: &str, at: Point, text: &str) {
         let [x, y] = at.map(SvgNumber);
         let turn = format_args!("transform=\"translate({x} {y}) rotate(-90)\"");
         self.put(format_args!("<text class=\"{class}\" {turn}>{}</text>", Escaped(text)));

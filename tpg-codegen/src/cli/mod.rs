@@ -2,7 +2,6 @@
 
 mod code;
 mod convert;
-mod examples;
 mod expected;
 mod generate;
 mod graph;
@@ -29,7 +28,13 @@ use tpg_graph::import::Sidecar;
 /// `tpg-codegen GRAPH` is short for `tpg-codegen generate GRAPH`.
 /// Exit status: 0 good, 1 a check failed, 2 bad input, 3 not decided.
 #[derive(Debug, Parser)]
-#[command(version, arg_required_else_help = true, after_help = examples::ALL)]
+#[command(
+    version,
+    arg_required_else_help = true,
+    after_help = "Examples:
+  tpg-codegen runs/pole/graph.json --prefix pole -o out
+  tpg-codegen report runs/pole/graph.json"
+)]
 pub struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -41,40 +46,67 @@ pub struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Generate code, say how big it is, compare it with the interpreter, and prove the C
-    #[command(after_help = examples::GENERATE)]
+    #[command(after_help = "Examples:
+  tpg-codegen generate graph.json --lang c --profile small -o firmware
+  tpg-codegen generate graph.json --fixed 16 -o firmware
+  tpg-codegen generate graph.json --explain
+  tpg-codegen generate graph.json -o firmware --check")]
     Generate(generate::GenerateArgs),
     /// Compile the generated code and compare it with the interpreter
-    #[command(after_help = examples::VERIFY)]
+    #[command(after_help = "Examples:
+  tpg-codegen verify graph.json
+  tpg-codegen verify graph.json --lang c --profile fast --states 1000000
+  tpg-codegen verify policy.dot --sidecar policy.toml --expect recorded.csv")]
     Verify(verify::VerifyArgs),
     /// Report the flash, RAM, stack and operations of a graph's code
-    #[command(after_help = examples::REPORT)]
+    #[command(after_help = "Examples:
+  tpg-codegen report graph.json
+  tpg-codegen report graph.json --target m0,esp32-c3 --fixed 16
+  tpg-codegen report graph.json --target rp2040 --max-flash 4096 --max-instructions 5000")]
     Report(report::ReportArgs),
     /// Prove that C or machine code decides like the graph, for every input
-    #[command(after_help = examples::PROVE)]
+    #[command(after_help = "Examples:
+  tpg-codegen prove graph.json
+  tpg-codegen prove graph.json --source firmware/pole.c --certificate pole.proof.json
+  tpg-codegen prove graph.json --object pole.o --symbol pole_infer")]
     Prove(prove::ProveArgs),
     /// Convert a graph to graph.json
-    #[command(after_help = examples::CONVERT)]
+    #[command(after_help = "Examples:
+  tpg-codegen convert policy.dot --sidecar policy.toml graph.json")]
     Convert(convert::ConvertArgs),
     /// Write a quantised network, a policy.q.json, as constants of C and Rust
-    #[command(after_help = examples::POLICY)]
+    #[command(after_help = "Examples:
+  tpg-codegen policy policy.q.json --lang c --prefix actor -o firmware")]
     Policy(policy::PolicyArgs),
     /// Convert a graph to integers: its inputs and outputs become counts
-    #[command(after_help = examples::QUANTISE)]
+    #[command(after_help = "Examples:
+  tpg-codegen quantise graph.json -o whole.json
+  tpg-codegen quantise graph.json --inputs 12 --weights 8 --ranges visited.csv -o whole.json
+  tpg-codegen generate whole.json --lang c -o firmware")]
     Quantise(quantise::QuantiseArgs),
     /// Write a package for Arduino, PlatformIO, ESP-IDF, Zephyr, CMake, Meson or Cargo
-    #[command(after_help = examples::PACKAGE)]
+    #[command(after_help = "Examples:
+  tpg-codegen package graph.json --for cmake --prefix arm -o arm
+  tpg-codegen package graph.json --for arduino --prefix arm --author Ada -o libraries/arm
+  tpg-codegen package graph.json --for cargo --prefix arm --license MIT --license-file LICENSE -o arm")]
     Package(package::PackageArgs),
     /// Print the JSON Schema of graph.json
-    #[command(after_help = examples::SCHEMA)]
+    #[command(after_help = "Examples:
+  tpg-codegen schema")]
     Schema,
     /// Print an example sidecar, the description that a .dot file lacks, with a comment on each field
-    #[command(after_help = examples::SIDECAR)]
+    #[command(after_help = "Examples:
+  tpg-codegen sidecar")]
     Sidecar,
     /// Print completions for a shell
-    #[command(after_help = examples::COMPLETIONS)]
+    #[command(after_help = "Examples:
+  tpg-codegen completions bash
+  tpg-codegen completions zsh")]
     Completions(shell::CompletionsArgs),
     /// Print a manual page
-    #[command(after_help = examples::MAN)]
+    #[command(after_help = "Examples:
+  tpg-codegen man
+  tpg-codegen man report")]
     Man(shell::ManArgs),
 }
 

@@ -3,7 +3,7 @@
 use super::block::Block;
 use super::syntax::Syntax;
 use super::team::low;
-use crate::passes::cases::{Case, Cases, Function, Kind};
+use crate::passes::cases::{Case, CaseFunction, CaseKind, Cases};
 
 /// A distinct bid.
 #[derive(PartialEq)]
@@ -36,9 +36,9 @@ pub(super) fn bids(
 ) -> Vec<CaseView> {
     let view = |&case: &Case| {
         let (bound, result) = match case.kind {
-            Kind::Plain => (None, case.value),
-            Kind::Bounded(bound) => (Some(bound), case.value),
-            Kind::Function(Function { argument, .. }) => (None, argument),
+            CaseKind::Plain => (None, case.value),
+            CaseKind::Bounded(bound) => (Some(bound), case.value),
+            CaseKind::Function(CaseFunction { argument, .. }) => (None, argument),
         };
         let reads = bound.map(|bound| (bound, Some("bound".to_owned()))).into_iter().chain([(result, None)]);
         let mut block = Block::new(syntax, reads);
@@ -51,7 +51,7 @@ pub(super) fn bids(
             before.extend(inside);
             Vec::new()
         };
-        let is_zero = case.kind == Kind::Plain && cases.nodes[result.index()].as_constant() == Some(0.0);
+        let is_zero = case.kind == CaseKind::Plain && cases.nodes[result.index()].as_constant() == Some(0.0);
         let (zero, value) = if is_zero && syntax.hides_zeros() { hidden(&value) } else { (None, value) };
         before.extend(zero);
         CaseView { before, bound, inside, value }
@@ -61,7 +61,7 @@ pub(super) fn bids(
 
 /// Views the functions, the highest numbers first; `bid` holds the argument.
 pub(super) fn functions(syntax: &impl Syntax, cases: &Cases) -> Vec<FunctionView> {
-    let view = |(first, function): (usize, Function)| FunctionView {
+    let view = |(first, function): (usize, CaseFunction)| FunctionView {
         first,
         is_low: match (function.bound, function.sparing) {
             (Some(bound), _) => Some(format!("best > {}", syntax.literal(bound))),

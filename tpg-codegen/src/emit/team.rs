@@ -29,11 +29,11 @@ pub(super) struct TeamView<J> {
     pub(super) first: Option<BidView>,
     pub(super) eager: Vec<BidView>,
     pub(super) lazy: Vec<BidView>,
-    pub(super) decision: Decision<J>,
+    pub(super) decision: TeamDecision<J>,
 }
 
 /// The end of a team's code.
-pub(super) enum Decision<J> {
+pub(super) enum TeamDecision<J> {
     /// There is one way to go.
     Always(J),
     /// Of two bids the first wins under a condition: there is no variable for the winner.
@@ -136,20 +136,20 @@ pub(super) fn view<J>(syntax: &impl Syntax, plan: &TeamSchedule, to: &Destinatio
     }
     let bids = [plan.targets.first(), plan.targets.last()].map(|to| to.copied().unwrap_or(targets[0]));
     let decision = match (&first, &eager[..]) {
-        _ if targets.len() == 1 => Decision::Always(to.jump(targets[0])),
+        _ if targets.len() == 1 => TeamDecision::Always(to.jump(targets[0])),
         _ if !chooses_of_two => match is_direct {
-            true => Decision::Winner,
-            false => Decision::Ways(team.ways(to)),
+            true => TeamDecision::Winner,
+            false => TeamDecision::Ways(team.ways(to)),
         },
         (Some(first), [second]) => {
-            Decision::Either(format!("{} >= {}", second.value, first.value), to.jump(bids[1]), to.jump(bids[0]))
+            TeamDecision::Either(format!("{} >= {}", second.value, first.value), to.jump(bids[1]), to.jump(bids[0]))
         }
         (None, [first, second]) => {
             let (value, other) = (&first.value, &second.value);
             let wins = format!("({value} >= {}) && !({other} >= {value})", syntax.lowest());
-            Decision::Either(wins, to.jump(bids[0]), to.jump(bids[1]))
+            TeamDecision::Either(wins, to.jump(bids[0]), to.jump(bids[1]))
         }
-        _ => Decision::Ways(team.ways(to)),
+        _ => TeamDecision::Ways(team.ways(to)),
     };
     TeamView {
         label: plan.label,

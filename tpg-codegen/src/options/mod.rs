@@ -63,7 +63,7 @@ impl Profile {
     }
 
     /// The default profile of a language.
-    pub const fn default_of(language: Language) -> Self {
+    const fn default_of(language: Language) -> Self {
         match language {
             Language::C => Self::Fast,
             Language::Rust => Self::ConstantTime,

@@ -26,19 +26,12 @@ impl Arithmetic {
     /// The platform's libm is another one on another platform, so its calls stay, but for what the C standard (F.10)
     /// fixes: NaN, infinities, zeros, and the logarithm of one and of what is negative.
     pub(crate) fn evaluate(self, instruction: Instruction, a: f64, b: f64) -> Option<f64> {
-        let transcendental = instruction.is_transcendental();
-        if transcendental && self.maths == MathsProvider::System && !is_fixed_by_the_standard(instruction, a) {
-            return None;
-        }
-        Some(match self.scalar {
-            F32 => apply::<f32>(instruction, a, b),
-            F64 => apply::<f64>(instruction, a, b),
-        })
+        let is_the_platforms = instruction.is_transcendental() && self.maths == MathsProvider::System;
+        (!is_the_platforms || is_fixed_by_the_standard(instruction, a)).then(|| self.exact(instruction, a, b))
     }
 
-    /// The result of an instruction that is not transcendental.
+    /// The result of an instruction, of a transcendental one by the own kernels.
     pub(crate) fn exact(self, instruction: Instruction, a: f64, b: f64) -> f64 {
-        debug_assert!(!instruction.is_transcendental());
         match self.scalar {
             F32 => apply::<f32>(instruction, a, b),
             F64 => apply::<f64>(instruction, a, b),

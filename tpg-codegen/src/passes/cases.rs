@@ -7,7 +7,7 @@
 use super::collect;
 use super::schedule::{LazyBid, Schedule, Sparing};
 use crate::ir::{Leaf, Module, Node, NodeId, needed};
-use Kind::*;
+use CaseKind::*;
 use std::collections::BTreeMap;
 use tpg_runtime::ops::Instruction;
 
@@ -17,23 +17,23 @@ pub(crate) struct Case {
     /// The value of the bid.
     pub value: NodeId,
     /// The way it is computed.
-    pub kind: Kind,
+    pub kind: CaseKind,
 }
 
 /// The way a bid is computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Kind {
+pub(crate) enum CaseKind {
     /// At once.
     Plain,
     /// Unless the best bid is above this upper bound.
     Bounded(NodeId),
     /// A function of an argument, unless its result is low.
-    Function(Function),
+    Function(CaseFunction),
 }
 
 /// A function of an argument.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Function {
+pub(crate) struct CaseFunction {
     /// The function.
     pub instruction: Instruction,
     /// Its argument.
@@ -82,10 +82,10 @@ impl Cases {
     }
 
     /// The functions behind the switch: each with the number of its first bid, the highest first.
-    pub(crate) fn functions(&self) -> Vec<(usize, Function)> {
-        let mut functions: Vec<(usize, Function)> = Vec::new();
+    pub(crate) fn functions(&self) -> Vec<(usize, CaseFunction)> {
+        let mut functions: Vec<(usize, CaseFunction)> = Vec::new();
         for (number, case) in self.bids.iter().enumerate() {
-            if let Kind::Function(function) = case.kind
+            if let CaseKind::Function(function) = case.kind
                 && functions.last().is_none_or(|(_, last)| last.instruction != function.instruction)
             {
                 functions.push((number, function));
@@ -99,7 +99,7 @@ impl Cases {
 /// Builds the tables over a schedule's plans.
 pub(crate) fn tabulate(module: &Module<'_>, schedule: Schedule) -> Cases {
     let Schedule { nodes, plans, leaves } = schedule;
-    let mut bids: BTreeMap<NodeId, Kind> = BTreeMap::new();
+    let mut bids: BTreeMap<NodeId, CaseKind> = BTreeMap::new();
     let mut edges = Vec::new();
     let (mut places, mut targets, mut teams, mut otherwise) = (Vec::new(), Vec::new(), vec![0], Vec::new());
     for plan in &plans {
@@ -117,7 +117,7 @@ pub(crate) fn tabulate(module: &Module<'_>, schedule: Schedule) -> Cases {
     let mut bids: Vec<Case> = bids.into_iter().map(|(value, kind)| Case { value, kind }).collect();
     bids.sort_by_key(|case| match case.kind {
         Plain | Bounded(_) => None,
-        Kind::Function(Function { instruction, .. }) => Some(instruction as u32),
+        CaseKind::Function(CaseFunction { instruction, .. }) => Some(instruction as u32),
     });
     // Numbered before the nodes are: estimates that no case asks for go.
     let numbers: BTreeMap<NodeId, u64> = (0..).zip(&bids).map(|(number, case)| (case.value, number)).collect();
@@ -129,7 +129,7 @@ pub(crate) fn tabulate(module: &Module<'_>, schedule: Schedule) -> Cases {
         match kind {
             Plain => {}
             Bounded(bound) => roots.push(bound),
-            Kind::Function(Function { argument, sparing, .. }) => {
+            CaseKind::Function(CaseFunction { argument, sparing, .. }) => {
                 roots.push(argument);
                 roots.extend(sparing.iter_mut().map(|sparing| &mut sparing.argument));
             }
@@ -146,16 +146,16 @@ pub(crate) fn tabulate(module: &Module<'_>, schedule: Schedule) -> Cases {
 
 /// The kind of a bid that the schedule may skip. An estimate of a logarithm or an exponential would cost more flash than it saves
 /// time: what is known of its argument is enough.
-fn kind(nodes: &[Node], lazy: &LazyBid) -> Kind {
+fn kind(nodes: &[Node], lazy: &LazyBid) -> CaseKind {
     let is_estimate = |id: &NodeId| matches!(nodes[id.index()], Node::Upper(..));
     let is_cheap =
         |id: NodeId| !needed(nodes, id, |_| true).iter().any(|id: &NodeId| nodes[id.index()].is_transcendental());
     match nodes[lazy.bid.value.index()] {
         Node::Operation(instruction @ (Instruction::Sin | Instruction::Cos), [argument, _]) if is_cheap(argument) => {
-            Kind::Function(Function { instruction, argument, bound: Some(1.0), sparing: None })
+            CaseKind::Function(CaseFunction { instruction, argument, bound: Some(1.0), sparing: None })
         }
         Node::Operation(instruction @ (Instruction::Exp | Instruction::Ln), [argument, _]) => {
-            Kind::Function(Function {
+            CaseKind::Function(CaseFunction {
                 instruction,
                 argument,
                 bound: None,

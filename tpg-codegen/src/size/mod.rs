@@ -11,12 +11,10 @@ pub use rust::RustForCortexM4;
 pub use target::Target;
 
 use crate::emit::Code;
-use crate::options::{Language, Options, Style};
-use crate::program::compile;
+use crate::options::Style;
 use std::process::Command;
 use std::{fs, io};
 use tempfile::TempDir;
-use tpg_graph::Graph;
 
 /// The size of the compiled C on each target, a line each; if a compiler is missing, its line says so.
 pub fn describe_c(code: &Code<'_>) -> Vec<String> {
@@ -26,14 +24,6 @@ pub fn describe_c(code: &Code<'_>) -> Vec<String> {
             Err(error) => format!("size on {}: not available: {error}", target.name()),
         })
         .into()
-}
-
-/// Generates C and compiles it for size, without its self-test, and returns the object file.
-///
-/// # Errors
-/// When the compiler is missing or refuses.
-pub fn compile_c(graph: &Graph, options: &Options, target: Target) -> io::Result<Vec<u8>> {
-    Ok(build_c(&Code::of(compile(graph, options, Language::C)), target)?.object)
 }
 
 /// Generated C, compiled.

@@ -5,8 +5,7 @@ use crate::emit::c::field::field;
 use crate::emit::integers::state_bits;
 use crate::emit::{Code, File};
 use crate::integers::source_bits;
-use crate::options::{Language, Options};
-use crate::program::compile as compile_graph;
+use crate::options::Language;
 use crate::shape::Shape;
 use askama::Template;
 use std::ffi::OsString;
@@ -143,69 +142,33 @@ impl Workshop {
     /// # Errors
     /// See [`BuildError`].
     pub fn start(&self, code: &Code<'_>) -> Result<Process, BuildError> {
-        let program = self.build(code.program.language, slice::from_ref(code), None)?;
+        let program = self.build(slice::from_ref(code), None)?;
         Ok(Process::start(&program, 0, code.program.name(), code.program.graph())?)
     }
 
     /// As [`start`](Self::start), for the function that reads an image: it gets bytes as numbers, and answers the values of a state.
     pub(super) fn start_looking(&self, code: &Code<'_>, vision: &Vision) -> Result<Process, BuildError> {
-        let program = self.build(code.program.language, slice::from_ref(code), None)?;
+        let program = self.build(slice::from_ref(code), None)?;
         let graph = code.program.graph();
         let process = Process::start(&program, 1, code.program.name(), graph)?;
         Ok(process.looking(vision, graph.observed_length()))
     }
 
-    /// Generates code, compiles it and starts the program.
+    /// Compiles policies of one language, each with a prefix of its own and without GEGELATI's style, into one program; by another
+    /// compiler, if one is given: its command in a folder, with every option that generated code needs.
     ///
     /// # Errors
     /// See [`BuildError`].
-    pub fn run(&self, language: Language, graph: &Graph, options: &Options) -> Result<Process, BuildError> {
-        self.start(&Code::of(compile_graph(graph, options, language)))
-    }
-
-    /// Emits policies, each with a prefix of its own and without GEGELATI's style, and compiles them into one program.
     ///
-    /// # Errors
-    /// See [`BuildError`].
-    pub fn batch(&self, language: Language, policies: &[(&Graph, Options)]) -> Result<Batch, BuildError> {
-        self.batch_by(language, policies, None)
-    }
-
-    /// As [`Workshop::batch`], with another compiler: its command in a folder, with every option that generated code needs.
-    ///
-    /// # Errors
-    /// See [`BuildError`].
-    pub fn batch_by(
-        &self,
-        language: Language,
-        policies: &[(&Graph, Options)],
-        compiler: Option<&dyn Fn(&Path) -> Command>,
-    ) -> Result<Batch, BuildError> {
-        let codes: Vec<Code<'_>> =
-            policies.iter().map(|(graph, options)| Code::of(compile_graph(graph, options, language))).collect();
-        self.batch_of(language, &codes, compiler)
-    }
-
-    /// As [`Workshop::batch_by`], of code that is there already, each with a prefix of its own.
-    ///
-    /// # Errors
-    /// See [`BuildError`].
-    pub fn batch_of(
-        &self,
-        language: Language,
-        codes: &[Code<'_>],
-        compiler: Option<&dyn Fn(&Path) -> Command>,
-    ) -> Result<Batch, BuildError> {
-        Ok(Batch { program: self.build(language, codes, compiler)?, language })
+    /// # Panics
+    /// Without any policy.
+    pub fn batch(&self, codes: &[Code<'_>], compiler: Option<&dyn Fn(&Path) -> Command>) -> Result<Batch, BuildError> {
+        Ok(Batch { program: self.build(codes, compiler)?, language: codes[0].program.language })
     }
 
     /// Compiles code of one language into a program.
-    fn build(
-        &self,
-        language: Language,
-        codes: &[Code<'_>],
-        compiler: Option<&dyn Fn(&Path) -> Command>,
-    ) -> Result<PathBuf, BuildError> {
+    fn build(&self, codes: &[Code<'_>], compiler: Option<&dyn Fn(&Path) -> Command>) -> Result<PathBuf, BuildError> {
+        let language = codes[0].program.language;
         let folder = self.write("policies", codes.iter().flat_map(|code| &code.files))?;
         let command = || match (compiler, language) {
             (Some(compiler), _) => Ok(compiler(&folder)),

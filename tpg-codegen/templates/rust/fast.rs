@@ -21,7 +21,7 @@ fn team_{{ team.label }}(s: &[{{ scalar }}; {{ state_length }}]) -> {{ answer }}
 {%- endfor %}
 {%- endif %}
 {%- match team.decision %}
-{%- when Decision::Winner | Decision::Ways(_) %}
+{%- when TeamDecision::Winner | TeamDecision::Ways(_) %}
 {%- if let Some(first) = team.first %}
 {%- if leads %}
 let mut lead = Lead::new({{ first.value }}, {{ first.rank }});
@@ -42,7 +42,7 @@ let mut {{ team.winner }} = {{ team.initial }};
 {{ statement }}
 {%- endfor %}
 {%- match team.decision %}
-{%- when Decision::Winner | Decision::Ways(_) %}
+{%- when TeamDecision::Winner | TeamDecision::Ways(_) %}
 {% include "rust/fast_win.rs" %}
 {%- when _ %}
 {%- endmatch %}
@@ -72,13 +72,13 @@ if {{ guard }} {
 {%- endif %}
 {%- endfor %}
 {%- match team.decision %}
-{%- when Decision::Always(to) %}
+{%- when TeamDecision::Always(to) %}
 {{ to }}
-{%- when Decision::Either(condition, first, second) %}
+{%- when TeamDecision::Either(condition, first, second) %}
 {{ layout::either(condition, first, second) }}
-{%- when Decision::Winner %}
+{%- when TeamDecision::Winner %}
 {{ team.winner }}
-{%- when Decision::Ways(ways) %}
+{%- when TeamDecision::Ways(ways) %}
 match {{ team.winner }} {
 {%- for (ranks, to) in ways %}
 {%- if loop.last %}

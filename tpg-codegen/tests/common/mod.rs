@@ -2,7 +2,7 @@
 
 use std::path::Path;
 use std::process::Command;
-use tpg_codegen::emit::{self, File, Language, Options, Profile, Style};
+use tpg_codegen::emit::{self, Code, File, Language, Options, Profile, Style};
 use tpg_graph::{Document, Graph, MathsProvider, ScalarType};
 
 /// Every scalar with every maths.
@@ -40,6 +40,16 @@ pub(crate) fn options(prefix: &str, style: Style) -> Options {
 /// Options with a prefix and a shape.
 pub(crate) fn shaped(prefix: &str, (style, profile): Shape) -> Options {
     Options { style, profile, ..Options::new(prefix.parse().expect("a prefix")) }
+}
+
+/// Code of a graph.
+pub(crate) fn code<'g>(language: Language, graph: &'g Graph, options: &Options) -> Code<'g> {
+    Code::of_graph("the graph", graph, options, language).expect("a graph that has code")
+}
+
+/// Code of several graphs.
+pub(crate) fn codes<'g>(language: Language, policies: &[(&'g Graph, Options)]) -> Vec<Code<'g>> {
+    policies.iter().map(|(graph, options)| code(language, graph, options)).collect()
 }
 
 /// Emits code and writes it to a folder.

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use tpg_arm::dodge::{
-    BALLS, Ball, Behaviour, Body, Chooser, Control, DodgerSettings, GOALS, Source, VALUES, WIDOWX_RADII,
+    BALLS, Ball, Behaviour, Body, Chooser, DodgeControl, DodgeSource, DodgerSettings, GOALS, VALUES, WIDOWX_RADII,
 };
 use tpg_arm::sensors::{Fault, Watch};
 use tpg_arm::{Move, Pose, WIDOWX};
@@ -51,7 +51,7 @@ proptest! {
         mut balls in prop::collection::vec(ball(), 0..=BALLS),
         faults in prop::collection::vec((0usize..24, 0u8..4), 60),
     ) {
-        let begin = || Control::new(&BODY, SETTINGS, Watch::DEFAULT, &[GOAL], START, &balls);
+        let begin = || DodgeControl::new(&BODY, SETTINGS, Watch::DEFAULT, &[GOAL], START, &balls);
         let (mut plain, mut disturbed) = (begin().expect("good"), begin().expect("good"));
         let mut motors = START;
         for (how, kind) in faults {
@@ -81,7 +81,7 @@ proptest! {
 #[test]
 fn a_beginning_that_cannot_be_is_refused() {
     let begin = |goals: &[Pose], motors, balls: &[Ball]| {
-        Control::new(&BODY, SETTINGS, Watch::DEFAULT, goals, motors, balls).map(|_| ())
+        DodgeControl::new(&BODY, SETTINGS, Watch::DEFAULT, goals, motors, balls).map(|_| ())
     };
     let good = Ball { at: [0.0, 400.0, 400.0], velocity: [0.0; 3], radius: 40.0 };
     assert_eq!(begin(&[GOAL], START, &[good; BALLS]), Ok(()));
@@ -99,8 +99,8 @@ fn a_beginning_that_cannot_be_is_refused() {
 
 #[test]
 fn motors_that_never_move_are_found_and_go_on_when_they_are_freed() {
-    let mut control = Control::new(&BODY, SETTINGS, Watch::DEFAULT, &[GOAL], START, &[]).expect("good");
-    let step = |control: &mut Control| control.step(&BODY, &|_: &[f32; VALUES]| Behaviour::Straight, START, &[]);
+    let mut control = DodgeControl::new(&BODY, SETTINGS, Watch::DEFAULT, &[GOAL], START, &[]).expect("good");
+    let step = |control: &mut DodgeControl| control.step(&BODY, &|_: &[f32; VALUES]| Behaviour::Straight, START, &[]);
     let moved = (0..30).take_while(|_| step(&mut control).is_ok()).count();
     assert_eq!(moved, 11);
     assert_eq!(step(&mut control), Err(Fault::Stuck));
@@ -126,18 +126,18 @@ fn a_graph_sees_its_own_sources_in_its_order() {
     let mut values = [0.0; VALUES];
     values.iter_mut().enumerate().for_each(|(place, value)| *value = place as f32);
     let mut state = [0.0; 5];
-    Source::gather(&[Source::Detour, Source::Ahead, Source::Second], &values, &mut state);
+    DodgeSource::gather(&[DodgeSource::Detour, DodgeSource::Ahead, DodgeSource::Second], &values, &mut state);
     assert_eq!(state, [16.0, 12.0, 13.0, 14.0, 10.0]);
     let mut whole = [0.0; VALUES];
-    Source::gather(&Source::ALL, &values, &mut whole);
+    DodgeSource::gather(&DodgeSource::ALL, &values, &mut whole);
     assert_eq!(whole, values);
     let behaviours = Behaviour::ALL;
     let chooser = |sources| Chooser { policy: Last, sources, behaviours: &behaviours }.choose(&values);
     // The third value of each: 12 is the behaviour field_elbow_down; there is no action 16.
-    assert_eq!(chooser(&[Source::Second, Source::Ahead]), behaviours[12]);
-    assert_eq!(chooser(&[Source::Second, Source::Detour]), Behaviour::Hold);
-    for source in Source::ALL {
-        assert_eq!(Source::from_name(source.name()), Some(source));
+    assert_eq!(chooser(&[DodgeSource::Second, DodgeSource::Ahead]), behaviours[12]);
+    assert_eq!(chooser(&[DodgeSource::Second, DodgeSource::Detour]), Behaviour::Hold);
+    for source in DodgeSource::ALL {
+        assert_eq!(DodgeSource::from_name(source.name()), Some(source));
     }
-    assert_eq!(Source::from_name("polar"), None);
+    assert_eq!(DodgeSource::from_name("polar"), None);
 }

@@ -6,8 +6,8 @@ use std::f32::consts::TAU;
 use tpg_arm::dodge::plan::Plan;
 use tpg_arm::dodge::plan::{STEP, steps, straight};
 use tpg_arm::dodge::{
-    Ball, Behaviour, Body, CAPSULES, Dodger, DodgerSettings, FIELD, Fate, Field, HORIZON, Scout, Source, VALUES, View,
-    WIDOWX_RADII, away, guarded, permitted,
+    Ball, Behaviour, Body, CAPSULES, DodgeSource, Dodger, DodgerSettings, FIELD, Fate, Field, HORIZON, Scout, VALUES,
+    View, WIDOWX_RADII, away, guarded, permitted,
 };
 use tpg_arm::kinematics::Vector;
 use tpg_arm::{JOINTS, Move, Pose, WIDOWX};
@@ -256,7 +256,7 @@ fn behaviours_and_sources_have_names_of_their_own() {
         assert_eq!(Behaviour::from_name(name), Some(behaviour));
     }
     assert_eq!(Behaviour::from_name("left"), None);
-    assert_eq!(Source::ALL.iter().map(|source| source.ranges().len()).sum::<usize>(), VALUES);
+    assert_eq!(DodgeSource::ALL.iter().map(|source| source.ranges().len()).sum::<usize>(), VALUES);
 }
 
 /// A quarter turn of the stretched arm, with a ball that stays in the middle of the way of its hand.

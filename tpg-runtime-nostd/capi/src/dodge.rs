@@ -8,7 +8,8 @@ use crate::sensors::tpg_watch_t;
 use core::cell::Cell;
 use core::mem::offset_of;
 use tpg_arm::dodge::{
-    BALLS, Ball, Behaviour, Body, CAPSULES, Control, DodgerSettings, GOALS, Source, Step, VALUES, WIDOWX_RADII,
+    BALLS, Ball, Behaviour, Body, CAPSULES, DodgeControl, DodgeSource, DodgeStep, DodgerSettings, GOALS, VALUES,
+    WIDOWX_RADII,
 };
 use tpg_arm::{Move, Pose};
 
@@ -35,7 +36,7 @@ pub const TPG_SOURCE_PROGRESS: u8 = 36;
 pub const TPG_SOURCE_DETOUR: u8 = 37;
 
 const _: () =
-    assert!((TPG_SOURCE_DETOUR - TPG_SOURCE_LEFT) as usize + 1 == Source::ALL.len(), "a source without a number");
+    assert!((TPG_SOURCE_DETOUR - TPG_SOURCE_LEFT) as usize + 1 == DodgeSource::ALL.len(), "a source without a number");
 
 /// Follows the plan that the search has found.
 pub const TPG_BEHAVIOUR_PLAN: u8 = 0;
@@ -168,7 +169,7 @@ impl DodgeChooser {
         if behaviours.iter().any(|&number| number >= TPG_BEHAVIOURS) {
             return Err(Refusal(TPG_ARGUMENT));
         }
-        let whole = sources.iter().map(|&number| source(number)).eq(Source::ALL.map(Some));
+        let whole = sources.iter().map(|&number| source(number)).eq(DodgeSource::ALL.map(Some));
         Ok(Self { infer, sources, behaviours, whole })
     }
 
@@ -181,7 +182,7 @@ impl DodgeChooser {
             let mut slots = other.as_mut_slice();
             for source in self.sources.iter().filter_map(|&number| source(number)) {
                 let Some((own, rest)) = slots.split_at_mut_checked(source.ranges().len()) else { break };
-                Source::gather(&[source], values, own);
+                DodgeSource::gather(&[source], values, own);
                 slots = rest;
             }
             state = &other;
@@ -194,8 +195,8 @@ impl DodgeChooser {
 }
 
 /// The source of a number.
-fn source(number: u8) -> Option<Source> {
-    Source::ALL.get(usize::from(number.checked_sub(TPG_SOURCE_LEFT)?)).copied()
+fn source(number: u8) -> Option<DodgeSource> {
+    DodgeSource::ALL.get(usize::from(number.checked_sub(TPG_SOURCE_LEFT)?)).copied()
 }
 
 /// The behaviour of a number, which is its place in [`Behaviour::ALL`].
@@ -216,7 +217,7 @@ pub struct tpg_dodger_t {
 
 /// The content of a tpg_dodger_t.
 pub struct Loop {
-    control: Control,
+    control: DodgeControl,
     body: &'static Body,
     chooser: DodgeChooser,
 }
@@ -306,7 +307,8 @@ pub unsafe extern "C" fn tpg_dodger_init(
         let poses = poses.get(..wanted.len()).unwrap_or(&[]);
         // SAFETY: the header's contract.
         let balls = unsafe { seen(balls, ball_count) }?;
-        let control = Control::new(body, settings, watch, poses, Pose(motors.ticks), balls).map_err(code::fault)?;
+        let control =
+            DodgeControl::new(body, settings, watch, poses, Pose(motors.ticks), balls).map_err(code::fault)?;
         // SAFETY: the header's contract.
         unsafe { memory::initialise(dodger, Loop { control, body, chooser }) }
     };
@@ -345,7 +347,7 @@ pub unsafe extern "C" fn tpg_dodger_step(
             number.set(chooser.choose(values));
             behaviour(number.get())
         };
-        let Step { wanted, .. } = control.step(body, &choose, Pose(motors.ticks), balls).map_err(code::fault)?;
+        let DodgeStep { wanted, .. } = control.step(body, &choose, Pose(motors.ticks), balls).map_err(code::fault)?;
         *chosen = tpg_dodge_t { wanted: tpg_move_t { ticks: wanted.0 }, behaviour: number.get() };
         Ok(())
     };

@@ -2,7 +2,7 @@
 
 use core::mem::MaybeUninit;
 use core::ptr::null;
-use tpg_arm::dodge::{Ball, Behaviour, Body, Chooser, Control, DodgerSettings, Source, VALUES, WIDOWX_RADII};
+use tpg_arm::dodge::{Ball, Behaviour, Body, Chooser, DodgeControl, DodgeSource, DodgerSettings, VALUES, WIDOWX_RADII};
 use tpg_arm::sensors::Watch;
 use tpg_arm::{Pose, WIDOWX};
 use tpg_generated::dodge::Dodge;
@@ -88,7 +88,7 @@ fn walk(policy: &tpg_dodge_policy_t, choose: impl Fn(&[f32; VALUES]) -> Behaviou
             let mut balls: Vec<Ball> = (0..scene / 4 % 4).map(|_| ball(&mut numbers)).collect();
             let settings = DodgerSettings::DEFAULT;
             let mut control =
-                Control::new(&BODY, settings, Watch::DEFAULT, &goals, motors, &balls).expect("a good reading");
+                DodgeControl::new(&BODY, settings, Watch::DEFAULT, &goals, motors, &balls).expect("a good reading");
             let poses: Vec<tpg_pose_t> = goals.iter().map(|goal| tpg_pose_t { ticks: goal.0 }).collect();
             let reading = tpg_pose_t { ticks: motors.0 };
             let seen = in_c(&balls);
@@ -156,10 +156,10 @@ fn every_step_is_as_in_rust() {
         behaviours: behaviours.as_ptr(),
         behaviour_count: behaviours.len(),
     };
-    let shipped = Chooser { policy: Dodge, sources: &Source::ALL, behaviours: &all };
+    let shipped = Chooser { policy: Dodge, sources: &DodgeSource::ALL, behaviours: &all };
     let [refused, done] = walk(&policy(infer, &SOURCES), |values| shipped.choose(values), 1);
     assert!(refused > 200 && done > 3 * refused, "{refused} {done}");
-    let turning = Chooser { policy: Turns, sources: &[Source::Detour, Source::Progress], behaviours: &all };
+    let turning = Chooser { policy: Turns, sources: &[DodgeSource::Detour, DodgeSource::Progress], behaviours: &all };
     walk(&policy(turns, &[TPG_SOURCE_DETOUR, TPG_SOURCE_PROGRESS]), |values| turning.choose(values), 2);
 }
 

@@ -20,7 +20,7 @@
 //! | [`EpisodeResult`], [`Summary`], [`Preference`] | results |
 //! | [`PolicyGraph`], [`Plan`], [`Node`], [`Arena`] | a graph in the engine's own form |
 //! | [`Lanes`], [`Single`] | execution |
-//! | [`Evaluator`], [`LocalThreads`], [`Work`], [`Piece`], [`Play`], [`Moments`], [`Sample`] | evaluation of many roots, on threads or elsewhere |
+//! | [`Evaluator`], [`LocalThreads`], [`Work`], [`Piece`], [`Play`], [`Moments`], [`Sample`], [`quantile`] | evaluation of many roots, on threads or elsewhere |
 //! | [`forward`](crate::forward!) | environments that wrap another one |
 //! | [`random`] | independent streams of random numbers, one for each purpose |
 
@@ -70,7 +70,7 @@ pub use evaluator::{Evaluator, LocalThreads};
 pub use extensions::{Guarded, TaskSet, Training};
 pub use lanes::{DEFAULT_LANES, Lanes};
 pub use mapped::Mapped;
-pub use moments::{Moments, Sample, confidence};
+pub use moments::{Moments, Sample, confidence, quantile};
 pub use nodes::{Arena, Node};
 pub use plan::Plan;
 pub use policy::{Destination, Edge, Limits, Line, Operand, PolicyGraph};

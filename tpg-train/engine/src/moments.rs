@@ -61,6 +61,21 @@ pub fn confidence(rate: f64, count: usize) -> [f64; 2] {
     [(middle - half).max(0.0), (middle + half).min(1.0)]
 }
 
+/// Returns the number below which a part of the numbers lies, interpolated; `None` without numbers.
+///
+/// ```
+/// assert_eq!(tpg_engine::quantile(&[3.0, 1.0, 2.0, 5.0], 0.5), Some(2.5));
+/// ```
+pub fn quantile(numbers: &[f64], part: f64) -> Option<f64> {
+    let mut sorted = numbers.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let last = sorted.len().checked_sub(1)?;
+    let place = part * last as f64;
+    let below = place as usize;
+    let rest = place - below as f64;
+    Some(sorted[below] + rest * (sorted[(below + 1).min(last)] - sorted[below]))
+}
+
 /// Mean and spread of each value of some states, without these (Welford 1962; merged as by Chan, Golub and LeVeque 1979).
 ///
 /// ```

@@ -4,7 +4,6 @@ use crate::circle::sincos;
 use crate::eights::{ByEight, by_eight};
 use crate::physics::physics;
 use crate::source;
-use crate::varied::Settings;
 use core::f64::consts::PI;
 use tpg_engine::random::Stream;
 use tpg_engine::{ActionSpace, Environment};
@@ -34,9 +33,6 @@ physics! {
     /// Friction of each joint, N·m for each rad/s.
     friction = 0.0, [0.0, 1000.0];
 }
-
-/// The section `[problem]` of a configuration for the two links.
-pub type Config = Settings<Amounts>;
 
 /// Two links that hang from an axle, with a motor at the joint between them, by the rules of Gymnasium's Acrobot-v1.
 ///

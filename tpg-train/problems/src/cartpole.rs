@@ -4,7 +4,6 @@ use crate::circle::sincos;
 use crate::eights::{ByEight, by_eight};
 use crate::physics::physics;
 use crate::source;
-use crate::varied::Settings;
 use core::f64::consts::PI;
 use tpg_engine::random::Stream;
 use tpg_engine::{ActionSpace, Environment};
@@ -36,9 +35,6 @@ physics! {
     /// Friction of the pole's axle, N·m for each rad/s.
     pole_friction = 0.0, [0.0, 1000.0];
 }
-
-/// The section `[problem]` of a configuration for the pole on a cart.
-pub type Config = Settings<Amounts>;
 
 /// A pole on a cart, by the rules of Gymnasium's CartPole-v1.
 ///

@@ -4,7 +4,6 @@ use crate::circle::sincos;
 use crate::eights::{ByEight, by_eight};
 use crate::physics::physics;
 use crate::source;
-use crate::varied::Settings;
 use tpg_engine::random::Stream;
 use tpg_engine::{ActionSpace, Environment};
 use tpg_graph::SourceDocument;
@@ -27,9 +26,6 @@ physics! {
     /// Fraction of the velocity that each action loses.
     friction = 0.0, [0.0, 1.0];
 }
-
-/// The section `[problem]` of a configuration for the car.
-pub type Config = Settings<Amounts>;
 
 /// A car in a valley, too weak to drive out directly, by the rules of Gymnasium's MountainCar-v0.
 ///

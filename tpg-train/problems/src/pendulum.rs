@@ -4,7 +4,7 @@ use crate::circle::sincos;
 use crate::eights::{ByEight, by_eight};
 use crate::physics::physics;
 use crate::source;
-use crate::varied::Disturbance;
+use crate::varied::{Disturbance, Varied};
 use core::f64::consts::{PI, TAU};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -36,7 +36,7 @@ physics! {
 /// The section `[problem]` of a configuration for the pendulum.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
-pub struct Config {
+pub struct PendulumConfig {
     /// Number of evenly spaced torques from −2 to 2 N·m, as named actions; by default a graph computes the torque.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub levels: Option<u16>,
@@ -44,6 +44,13 @@ pub struct Config {
     pub physics: Amounts,
     /// Delays, noise and hidden sources.
     pub disturbance: Disturbance,
+}
+
+impl PendulumConfig {
+    /// Puts the pendulum under these settings.
+    pub(crate) fn environment(&self) -> Varied<Pendulum, Amounts> {
+        Varied::new(Pendulum, self.physics, self.disturbance.clone())
+    }
 }
 
 /// A rod of 1 m and 1 kg on an axle with a motor, by the rules of Gymnasium's Pendulum-v1.

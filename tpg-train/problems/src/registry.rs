@@ -1,19 +1,19 @@
 //! The built-in problems: one of [`ProblemName`] each.
 
 use crate::acrobot::{self, Acrobot};
+use crate::arm::ArmConfig;
 use crate::arm::drawing::picture;
 use crate::arm::evaluation::figures;
-use crate::arm::motors::Motors;
+use crate::arm::motors::{Motors, MotorsConfig};
 use crate::arm::targets::Start;
-use crate::arm::{self, motors};
 use crate::cartpole::{self, CartPole};
-use crate::dodge::{self, Dodge};
+use crate::dodge::{Dodge, DodgeConfig};
 use crate::eye::Eye;
 use crate::minatar::{Asterix, Breakout, MinAtar, SpaceInvaders};
 use crate::mountain_car::{self, MountainCar};
 use crate::mountain_car_continuous::{self, MountainCarContinuous};
-use crate::pendulum::{self, Pendulum};
-use crate::varied::{self, Varied};
+use crate::pendulum::PendulumConfig;
+use crate::varied::VariedSettings;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -107,21 +107,21 @@ pub struct Problem {
 #[serde(untagged)]
 pub enum ProblemSettings {
     /// The arm.
-    Arm(arm::Config),
+    Arm(ArmConfig),
     /// The arm by its motors.
-    Motors(motors::Config),
+    Motors(MotorsConfig),
     /// The arm among balls.
-    Dodge(dodge::Config),
+    Dodge(DodgeConfig),
     /// The pole on a cart.
-    Cartpole(cartpole::Config),
+    Cartpole(VariedSettings<cartpole::Amounts>),
     /// The two links.
-    Acrobot(acrobot::Config),
+    Acrobot(VariedSettings<acrobot::Amounts>),
     /// The car in a valley, by three pushes.
-    MountainCar(mountain_car::Config),
+    MountainCar(VariedSettings<mountain_car::Amounts>),
     /// The pendulum.
-    Pendulum(pendulum::Config),
+    Pendulum(PendulumConfig),
     /// The car in a valley, by a force.
-    MountainCarContinuous(mountain_car_continuous::Config),
+    MountainCarContinuous(VariedSettings<mountain_car_continuous::Amounts>),
     /// A problem that cannot be changed: a game of MinAtar, or the camera.
     Fixed(NoSettings),
 }
@@ -261,13 +261,11 @@ impl Problem {
             ProblemSettings::Arm(config) => config.check(),
             ProblemSettings::Motors(config) => config.check(),
             ProblemSettings::Dodge(config) => config.check(),
-            ProblemSettings::Cartpole(it) => varied::check(&it.physics, &it.disturbance, &CartPole),
-            ProblemSettings::Acrobot(it) => varied::check(&it.physics, &it.disturbance, &Acrobot),
-            ProblemSettings::MountainCar(it) => varied::check(&it.physics, &it.disturbance, &MountainCar),
-            ProblemSettings::Pendulum(it) => varied::check(&it.physics, &it.disturbance, &Pendulum),
-            ProblemSettings::MountainCarContinuous(it) => {
-                varied::check(&it.physics, &it.disturbance, &MountainCarContinuous)
-            }
+            ProblemSettings::Cartpole(it) => it.around(CartPole).check(),
+            ProblemSettings::Acrobot(it) => it.around(Acrobot).check(),
+            ProblemSettings::MountainCar(it) => it.around(MountainCar).check(),
+            ProblemSettings::Pendulum(it) => it.environment().check(),
+            ProblemSettings::MountainCarContinuous(it) => it.around(MountainCarContinuous).check(),
             ProblemSettings::Fixed(_) => Ok(()),
         }
     }
@@ -300,17 +298,15 @@ impl Problem {
             // The arm as graphs share it with a network.
             ProblemSettings::Motors(config) => {
                 let network = Some(Box::new(config.clone()));
-                let config = arm::Config { arm: config.arm.clone(), network, ..arm::Config::default() };
+                let config = ArmConfig { arm: config.arm.clone(), network, ..ArmConfig::default() };
                 erase(config.environment::<S>(self.start()))
             }
             ProblemSettings::Dodge(config) => erase(Dodge::new(config)),
-            ProblemSettings::Cartpole(it) => erase(Varied::new(CartPole, it.physics, it.disturbance.clone())),
-            ProblemSettings::Acrobot(it) => erase(Varied::new(Acrobot, it.physics, it.disturbance.clone())),
-            ProblemSettings::MountainCar(it) => erase(Varied::new(MountainCar, it.physics, it.disturbance.clone())),
-            ProblemSettings::Pendulum(it) => erase(Varied::new(Pendulum, it.physics, it.disturbance.clone())),
-            ProblemSettings::MountainCarContinuous(it) => {
-                erase(Varied::new(MountainCarContinuous, it.physics, it.disturbance.clone()))
-            }
+            ProblemSettings::Cartpole(it) => erase(it.around(CartPole)),
+            ProblemSettings::Acrobot(it) => erase(it.around(Acrobot)),
+            ProblemSettings::MountainCar(it) => erase(it.around(MountainCar)),
+            ProblemSettings::Pendulum(it) => erase(it.environment()),
+            ProblemSettings::MountainCarContinuous(it) => erase(it.around(MountainCarContinuous)),
             ProblemSettings::Fixed(_) => match self.name {
                 ProblemName::Breakout => erase(MinAtar::<Breakout>::default()),
                 ProblemName::Asterix => erase(MinAtar::<Asterix>::default()),

@@ -1,6 +1,6 @@
 //! Problems as policies are tested on them: by what the policies say about their training, on tasks from files.
 
-use crate::arm::motors::{self, MotorsTask, Rules};
+use crate::arm::motors::{MotorsConfig, MotorsTask, Rules};
 use crate::arm::planner::{self, CONTROLLERS};
 use crate::arm::{ArmDescription, ArmTask, targets};
 use crate::dodge;
@@ -49,7 +49,7 @@ impl Problem {
         let mut table = network.clone();
         // Integers do not name their problem, and no arm.
         let names_arm = table.remove("name").is_some();
-        let motors: motors::Config = toml::Value::Table(table).try_into().map_err(|error: toml::de::Error| {
+        let motors: MotorsConfig = toml::Value::Table(table).try_into().map_err(|error: toml::de::Error| {
             InputError::new(file, Place::Path("problem".to_owned()), error.message(), "a network of the arm's motors")
         })?;
         if rules && names_arm {
@@ -63,7 +63,7 @@ impl Problem {
             let accepted = "one for the arm of the configuration, or of the graph";
             return Err(InputError::new(file, Place::Whole, "a network for another arm", accepted));
         }
-        config.network = Some(Box::new(motors::Config { arm: config.arm.clone(), ..motors }));
+        config.network = Some(Box::new(MotorsConfig { arm: config.arm.clone(), ..motors }));
         Ok(self)
     }
 

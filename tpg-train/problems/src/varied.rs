@@ -28,7 +28,7 @@ impl Disturbance {
     ///
     /// # Errors
     /// A value out of range, an unknown source, or no source left.
-    pub fn check(&self, sources: &[SourceDocument]) -> Result<(), Finding> {
+    fn check(&self, sources: &[SourceDocument]) -> Result<(), Finding> {
         Finding::range("problem.disturbance.delay", self.delay, 0, 100)?;
         let known = || sources.iter().map(|source| source.name.as_str()).collect::<Vec<_>>();
         let one_of = || format!("one of {}", known().join(", "));
@@ -52,21 +52,18 @@ impl Disturbance {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 #[schemars(bound = "C: JsonSchema + Default + Serialize")]
-pub struct Settings<C> {
+pub struct VariedSettings<C> {
     /// The constants of the rules.
     pub physics: C,
     /// Delays, noise and hidden sources.
     pub disturbance: Disturbance,
 }
 
-/// Checks constants and disturbances of an environment.
-pub(crate) fn check(
-    constants: &impl Constants,
-    disturbance: &Disturbance,
-    environment: &impl Environment<f64>,
-) -> Result<(), Finding> {
-    constants.check()?;
-    disturbance.check(&environment.sources())
+impl<C: Constants> VariedSettings<C> {
+    /// Puts an environment under these settings.
+    pub(crate) fn around<E>(&self, environment: E) -> Varied<E, C> {
+        Varied::new(environment, self.physics.clone(), self.disturbance.clone())
+    }
 }
 
 /// An environment under given constants and disturbances. With the standard ones, every number is the bare environment's.
@@ -91,10 +88,19 @@ pub struct Varied<E, C> {
 }
 
 impl<E, C: Constants> Varied<E, C> {
-    /// Puts `environment` under constants and disturbances, which have been checked.
+    /// Puts `environment` under constants and disturbances.
     pub fn new(environment: E, constants: C, disturbance: Disturbance) -> Self {
         let is_standard = constants == C::default() && disturbance == Disturbance::default();
         Self { environment, constants, disturbance, is_standard }
+    }
+
+    /// Checks constants and disturbances.
+    pub(crate) fn check(&self) -> Result<(), Finding>
+    where
+        E: Environment<f64>,
+    {
+        self.constants.check()?;
+        self.disturbance.check(&self.environment.sources())
     }
 }
 

@@ -11,11 +11,11 @@ use tpg_problems::dodge::draw::{Certified, Generator, LIMIT, SEED, replay, scene
 use tpg_problems::dodge::episode::{End, Episode};
 use tpg_problems::dodge::scene::{Path, Scene};
 use tpg_problems::dodge::walk::{Leg, follow, moved};
-use tpg_problems::dodge::{BODY, Config, Dodge};
+use tpg_problems::dodge::{BODY, Dodge, DodgeConfig};
 use tpg_runtime::policy::ActionId;
 
 fn hundred() -> Vec<Certified> {
-    scenes(&Config::default(), SEED, Set::Validation, 100, 1500)
+    scenes(&DodgeConfig::default(), SEED, Set::Validation, 100, 1500)
 }
 
 #[test]
@@ -72,7 +72,7 @@ fn scenes_keep_the_generators_rules() {
 
 #[test]
 fn sets_differ_and_a_longer_list_begins_with_the_shorter() {
-    let list = |set, count| scenes(&Config::default(), SEED, set, count, 1500);
+    let list = |set, count| scenes(&DodgeConfig::default(), SEED, set, count, 1500);
     let longer = list(Set::Validation, 6);
     assert_eq!(longer[..3], list(Set::Validation, 3)[..]);
     for other in [Set::Training, Set::Test] {
@@ -82,7 +82,7 @@ fn sets_differ_and_a_longer_list_begins_with_the_shorter() {
 
 #[test]
 fn a_plan_that_is_followed_by_the_rules_does_what_its_replay_says() {
-    let config = Config::default();
+    let config = DodgeConfig::default();
     for Certified { scene, plan } in hundred().iter().take(30) {
         let mut episode = Episode::new(scene);
         let mut legs = plan.clone();
@@ -128,7 +128,7 @@ fn a_step_against_limits_table_or_base_is_refused_and_no_failure() {
 
 #[test]
 fn the_environment_scores_its_ends_and_repeats_itself() {
-    let problem = Dodge::new(&Config::default());
+    let problem = Dodge::new(&DodgeConfig::default());
     let run = |scene: &Scene, action: u16| {
         let mut trial = Environment::<f32>::start(&problem, scene);
         let mut state = [0f32; 17];
@@ -172,13 +172,13 @@ fn the_environment_scores_its_ends_and_repeats_itself() {
 
 #[test]
 fn validation_scenes_are_those_of_their_set() {
-    let problem = Dodge::new(&Config::default());
-    let expected: Vec<Scene> = scenes(&Config::default(), SEED, Set::Validation, 3, 1500)
+    let problem = Dodge::new(&DodgeConfig::default());
+    let expected: Vec<Scene> = scenes(&DodgeConfig::default(), SEED, Set::Validation, 3, 1500)
         .into_iter()
         .map(|certified| certified.scene)
         .collect();
     assert_eq!(tpg_engine::tasks::<f32, _>(&problem, tpg_engine::TaskSet::Validation, 0, 3), expected);
     // Training scenes come from another sample of the space.
-    let training = Generator::new(&Config::default(), SEED, Set::Training);
+    let training = Generator::new(&DodgeConfig::default(), SEED, Set::Training);
     assert!(!expected.contains(&training.draw(&mut Stream::new(1, 2, Purpose::Test, 3), 1500).scene));
 }

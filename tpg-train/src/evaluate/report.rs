@@ -7,9 +7,8 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use tpg_engine::{EpisodeResult, Measure, Sample, Summary, confidence, finite};
+use tpg_engine::{EpisodeResult, Measure, Sample, Summary, confidence, finite, quantile};
 use tpg_graph::Graph;
-use tpg_picture::FiveNumbers;
 
 /// The result of a policy on test episodes. Rates are between 0 and 1; scores have the problem's unit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -121,7 +120,7 @@ impl EvaluationReport {
         let count = |place: usize| endings.iter().filter(|ending| usize::from(ending.outcome) == place).count();
         let judged = endings.iter().filter(|ending| ending.success.is_some()).count();
         let measures: Vec<f64> = endings.iter().map(|ending| ending.measure).collect();
-        let median = FiveNumbers::new(&measures).map_or(0.0, |five| five.median);
+        let median = quantile(&measures, 0.5).unwrap_or(0.0);
         let asks = |graph: &Graph| {
             graph.asks().next()?;
             Some(Sample::new(&done.asks.iter().map(|&asks| asks.into()).collect::<Vec<_>>()))

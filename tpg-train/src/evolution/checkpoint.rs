@@ -9,7 +9,7 @@ use tpg_graph::error::{InputError, Place};
 use tpg_runtime::scalar::Scalar;
 
 /// Trainer and version, which is incremented with every change to the content or meaning of checkpoints.
-pub(super) const FORM: &str = "tpg-train tpg, checkpoint version 16";
+pub(super) const FORM: &str = "tpg-train tpg, checkpoint version 17";
 
 /// The serialised form, one line of JSON.
 #[derive(Debug, Serialize, Deserialize)]

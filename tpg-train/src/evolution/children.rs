@@ -24,7 +24,7 @@ pub(super) fn add_children(
         let parent = *stream.pick(&roots);
         let child = child(genome, parent, &mut stream);
         count += 1;
-        for edge in &genome.team(child).edges {
+        for edge in genome.team(child) {
             if let Destination::Team(to) = edge.to
                 && std::mem::replace(is_root.entry(to).or_insert(false), false)
             {

@@ -30,13 +30,6 @@ pub(crate) enum Destination {
     Leaf(LeafId),
 }
 
-/// A leaf: the program of each output.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) struct Leaf {
-    /// Its programs, in the order of the outputs.
-    pub programs: Vec<ProgramId>,
-}
-
 /// A program that bids for a destination. Edges of several teams may share a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct Edge {
@@ -44,13 +37,6 @@ pub(crate) struct Edge {
     pub program: ProgramId,
     /// The destination it bids for.
     pub to: Destination,
-}
-
-/// A team; among equal bids the last edge wins.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) struct Team {
-    /// Its edges.
-    pub edges: Vec<Edge>,
 }
 
 /// A line of an evolving program.
@@ -125,29 +111,30 @@ impl Assignment for Spelled<'_> {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Genome {
     next: u64,
-    /// The teams. The caller must not create a cycle: edges of new teams lead to older ones.
-    pub teams: BTreeMap<TeamId, Team>,
+    /// The edges of each team; among equal bids the last one wins. The caller must not create a cycle: edges of new teams lead to
+    /// older ones.
+    pub teams: BTreeMap<TeamId, Vec<Edge>>,
     /// The programs.
     pub programs: BTreeMap<ProgramId, Program>,
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    leaves: BTreeMap<LeafId, Leaf>,
+    leaves: BTreeMap<LeafId, Vec<ProgramId>>,
 }
 
 impl Genome {
-    /// Returns the leaves, by number.
-    pub(crate) fn leaves(&self) -> &BTreeMap<LeafId, Leaf> {
+    /// Returns the programs of each leaf, in the order of the outputs.
+    pub(crate) fn leaves(&self) -> &BTreeMap<LeafId, Vec<ProgramId>> {
         &self.leaves
     }
 
-    /// Adds a leaf.
-    pub(crate) fn add_leaf(&mut self, leaf: Leaf) -> LeafId {
+    /// Adds a leaf: the program of each output.
+    pub(crate) fn add_leaf(&mut self, programs: Vec<ProgramId>) -> LeafId {
         let id = LeafId(self.number());
-        self.leaves.insert(id, leaf);
+        self.leaves.insert(id, programs);
         id
     }
 
-    /// Returns a team.
-    pub(crate) fn team(&self, id: TeamId) -> &Team {
+    /// Returns the edges of a team.
+    pub(crate) fn team(&self, id: TeamId) -> &[Edge] {
         &self.teams[&id]
     }
 
@@ -157,9 +144,9 @@ impl Genome {
     }
 
     /// Adds a team.
-    pub(crate) fn add_team(&mut self, team: Team) -> TeamId {
+    pub(crate) fn add_team(&mut self, edges: Vec<Edge>) -> TeamId {
         let id = TeamId(self.number());
-        self.teams.insert(id, team);
+        self.teams.insert(id, edges);
         id
     }
 
@@ -177,7 +164,7 @@ impl Genome {
 
     /// Returns the teams without incoming edges, by number.
     pub(crate) fn roots(&self) -> Vec<TeamId> {
-        let edges = self.teams.values().flat_map(|team| &team.edges);
+        let edges = self.teams.values().flatten();
         let entered: BTreeSet<TeamId> = edges
             .filter_map(|edge| match edge.to {
                 Destination::Team(team) => Some(team),
@@ -193,11 +180,11 @@ impl Genome {
         for root in roots {
             self.teams.remove(root);
         }
-        let edges = || self.teams.values().flat_map(|team| &team.edges);
+        let edges = || self.teams.values().flatten();
         let reached: BTreeSet<Destination> = edges().map(|edge| edge.to).collect();
         let mut used: BTreeSet<ProgramId> = edges().map(|edge| edge.program).collect();
         self.leaves.retain(|&id, _| reached.contains(&Destination::Leaf(id)));
-        used.extend(self.leaves.values().flat_map(|leaf| &leaf.programs));
+        used.extend(self.leaves.values().flatten());
         self.programs.retain(|id, _| used.contains(id));
     }
 
@@ -206,7 +193,7 @@ impl Genome {
         let mut reached = BTreeSet::from([root]);
         let mut open = vec![root];
         while let Some(team) = open.pop() {
-            for edge in &self.team(team).edges {
+            for edge in self.team(team) {
                 if let Destination::Team(to) = edge.to
                     && reached.insert(to)
                 {
@@ -248,14 +235,14 @@ impl Genome {
             })
         };
         for &team in &reached {
-            let edges = self.team(team).edges.iter().map(|edge| {
+            let edges = self.team(team).iter().map(|edge| {
                 let program = number(edge.program);
                 let to = match edge.to {
                     Destination::Team(team) => tpg_engine::Destination::Team(place(team)),
                     Destination::Action(action) => tpg_engine::Destination::Action(action),
                     Destination::Leaf(leaf) => {
                         tpg_engine::Destination::Action(*leaf_numbers.entry(leaf).or_insert_with(|| {
-                            leaves.push(self.leaves[&leaf].programs.iter().map(|&id| number(id)).collect());
+                            leaves.push(self.leaves[&leaf].iter().map(|&id| number(id)).collect());
                             leaves.len() as u16 - 1
                         }))
                     }

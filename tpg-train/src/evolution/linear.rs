@@ -2,7 +2,7 @@
 //!
 //! A product can change its sign where another input does, as a swing-up must.
 
-use super::genome::{Destination, Edge, Genome, GenomeLine, Leaf, Program, Team, TeamId};
+use super::genome::{Destination, Edge, Genome, GenomeLine, Program, TeamId};
 use super::vocabulary::{Gene, Input, InstructionIndex, OPERANDS, Vocabulary};
 use serde::{Deserialize, Serialize};
 use tpg_engine::PolicyGraph;
@@ -156,7 +156,7 @@ impl<'a> LinearWriter<'a> {
         });
         let edges = if self.actions == 0 {
             let programs = programs.map(|program| genome.add_program(program)).collect();
-            let leaf = Destination::Leaf(genome.add_leaf(Leaf { programs }));
+            let leaf = Destination::Leaf(genome.add_leaf(programs));
             vec![Edge { program: genome.add_program(self.zero()), to: leaf }]
         } else {
             let bids = std::iter::once(self.zero()).chain(programs);
@@ -164,7 +164,7 @@ impl<'a> LinearWriter<'a> {
                 |(action, program)| Edge { program: genome.add_program(program), to: Destination::Action(action) };
             (0..self.actions).zip(bids).map(edge).collect()
         };
-        genome.add_team(Team { edges })
+        genome.add_team(edges)
     }
 
     /// Draws weights with which each output is proportional to the distance of one input from the middle of its range.
@@ -189,7 +189,7 @@ impl<'a> LinearWriter<'a> {
         };
         let edge = |(action, row)| Edge { program: genome.add_program(program(row)), to: Destination::Action(action) };
         let edges = (0..).zip(rows).map(edge).collect();
-        genome.add_team(Team { edges })
+        genome.add_team(edges)
     }
 
     /// Returns the program with the given weights, `unit` times its sum or product.
@@ -256,9 +256,9 @@ mod tests {
         assert_eq!(writer.weights(), weights.len());
         let mut genome = Genome::default();
         let root = writer.add_root(&mut genome, weights);
-        let edges = &genome.team(root).edges;
+        let edges = genome.team(root);
         let programs: Vec<_> = match edges[0].to {
-            Destination::Leaf(leaf) => genome.leaves()[&leaf].programs.clone(),
+            Destination::Leaf(leaf) => genome.leaves()[&leaf].clone(),
             _ => {
                 assert!((0..).zip(edges).all(|(action, edge)| edge.to == Destination::Action(action)));
                 edges.iter().map(|edge| edge.program).collect()
@@ -322,7 +322,7 @@ mod tests {
             let writer = LinearWriter::new(&vocabulary, 2, ProgramKind::Sum).expect("sums can be written");
             let mut genome = Genome::default();
             let root = writer.add_linear(&mut genome, &[vec![0.0, 0.25, 1.0], vec![2.0, 0.5, -1.0]]);
-            let programs: Vec<_> = genome.team(root).edges.iter().map(|edge| genome.program(edge.program)).collect();
+            let programs: Vec<_> = genome.team(root).iter().map(|edge| genome.program(edge.program)).collect();
             let bids: Vec<f64> = programs.iter().map(|program| program.bid(&vocabulary, &[0.5, 8.0])).collect();
             assert_eq!(bids, [3.0, 4.0], "in the inputs' own units");
             assert_eq!(programs[0].lines.len(), 2);

@@ -1,6 +1,6 @@
 //! Pairs of opposite bids: for an action the opposite of what is bid for the action that undoes it.
 
-use super::genome::{Destination, Edge, Genome, GenomeLine, Program, Team, TeamId};
+use super::genome::{Destination, Edge, Genome, GenomeLine, Program, TeamId};
 use super::mutate_program::P_PROGRAM_MUTATION;
 use super::stage::Context;
 use super::vocabulary::{Gene, SourceKind, Vocabulary};
@@ -46,7 +46,7 @@ impl Context<'_> {
         if probability <= 0.0 || !stream.chance(probability) {
             return None;
         }
-        let mut edges = genome.team(parent).edges.clone();
+        let mut edges = genome.team(parent).to_vec();
         let own = self.paired(&edges);
         let foreign = stream.chance(0.5);
         let taken = if foreign { self.paired(others) } else { own.clone() };
@@ -61,7 +61,7 @@ impl Context<'_> {
         }
         let pair = if stream.chance(self.config.tpg.p_edge_destination_change) { self.any_pair(stream)? } else { pair };
         self.bid(genome, &mut edges, program, pair)?;
-        Some(genome.add_team(Team { edges }))
+        Some(genome.add_team(edges))
     }
 
     /// Completes the pairs of every root of a first population; does nothing where the probability is 0.
@@ -72,14 +72,14 @@ impl Context<'_> {
 
     /// Gives every action of a team that has an opposite the opposite bid of it, as far as there is room.
     fn complete(&self, genome: &mut Genome, team: TeamId) {
-        let before = genome.team(team).edges.clone();
+        let before = genome.team(team).to_vec();
         let mut edges: Vec<Edge> = before.clone();
         for (edge, pair) in self.paired(&before) {
             let program = genome.program(edge.program).clone();
             // A pair that does not fit stays as it is.
             let _ = self.bid(genome, &mut edges, program, pair);
         }
-        genome.teams.insert(team, Team { edges });
+        genome.teams.insert(team, edges);
     }
 
     /// Returns the edges to actions that have an opposite, each with its action and the opposite.
@@ -179,19 +179,19 @@ mod tests {
         let writer = LinearWriter::new(&vocabulary, 3, ProgramKind::Sum).expect("sums can be written");
         let parent = writer.add_root(&mut genome, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]);
         let bids = |genome: &Genome, team, state: [f64; 3]| {
-            let programs = genome.team(team).edges.iter().map(|edge| genome.program(edge.program));
+            let programs = genome.team(team).iter().map(|edge| genome.program(edge.program));
             programs.map(|program| program.bid(&vocabulary, &state)).collect::<Vec<f64>>()
         };
         mirror.complete(&mut genome, parent);
         let opposed = |genome: &Genome, team| {
-            let edges = &genome.team(team).edges;
+            let edges = genome.team(team);
             let bids = bids(genome, team, [0.5, -1.0, 2.0]);
             let leaf =
                 |action| edges.iter().position(|edge| edge.to == Destination::Action(action)).map(|place| bids[place]);
             (leaf(0), leaf(1), leaf(2))
         };
         assert_eq!(opposed(&genome, parent), (Some(-8.5), Some(8.5), Some(18.5)));
-        let others = genome.team(parent).edges.clone();
+        let others = genome.team(parent).to_vec();
         let mut same = 0;
         for index in 0..200 {
             let mut stream = Stream::new(1, 0, Purpose::Test, index);

@@ -5,7 +5,7 @@
 
 use super::children::add_children;
 use super::config::ProgramParameters;
-use super::genome::{Destination, Edge, Genome, Leaf, LeafId, ProgramId, Team, TeamId};
+use super::genome::{Destination, Edge, Genome, LeafId, ProgramId, TeamId};
 use super::linear::ProgramKind;
 use super::stage::{Context, Moment};
 use tpg_engine::random::Stream;
@@ -50,7 +50,7 @@ impl Context<'_> {
                 continue;
             }
             let edge = self.edge_to_new_leaf(&mut genome, stream);
-            genome.add_team(Team { edges: vec![edge] });
+            genome.add_team(vec![edge]);
         }
         genome
     }
@@ -58,7 +58,7 @@ impl Context<'_> {
     fn edge_to_new_leaf(&self, genome: &mut Genome, stream: &mut Stream) -> Edge {
         let outputs = self.vocabulary.outputs.len();
         let programs = (0..outputs).map(|_| genome.add_program(self.for_leaves().random(stream))).collect();
-        let leaf = genome.add_leaf(Leaf { programs });
+        let leaf = genome.add_leaf(programs);
         Edge { program: genome.add_program(self.random(stream)), to: Destination::Leaf(leaf) }
     }
 
@@ -81,7 +81,7 @@ impl Context<'_> {
         if let Some(child) = self.refined_child(genome, parent, stream) {
             return child;
         }
-        let mut edges = genome.team(parent).edges.clone();
+        let mut edges = genome.team(parent).to_vec();
         let changed = stream.below(edges.len());
         match edges[changed].to {
             Destination::Leaf(leaf) => edges[changed].to = Destination::Leaf(self.changed_leaf(genome, leaf, stream)),
@@ -101,7 +101,7 @@ impl Context<'_> {
                     edges[place].program = genome.add_program(self.random(stream)); // a bid that has never counted
                 }
                 edges.push(twin(genome, edges[place], pair));
-                return genome.add_team(Team { edges });
+                return genome.add_team(edges);
             }
             let to = if stream.chance(P_TEAM) {
                 Destination::Team(*stream.pick(before.teams))
@@ -110,12 +110,12 @@ impl Context<'_> {
             };
             edges.push(Edge { program: genome.add_program(self.random(stream)), to });
         }
-        genome.add_team(Team { edges })
+        genome.add_team(edges)
     }
 
     /// Copies a leaf and changes the program of one output, or only its literals.
     fn changed_leaf(&self, genome: &mut Genome, leaf: LeafId, stream: &mut Stream) -> LeafId {
-        let mut programs = genome.leaves()[&leaf].programs.clone();
+        let mut programs = genome.leaves()[&leaf].clone();
         let output = stream.below(programs.len());
         let mut program = genome.program(programs[output]).clone();
         let refined = stream.chance(P_LITERALS) && {
@@ -128,7 +128,7 @@ impl Context<'_> {
             }
         }
         programs[output] = genome.add_program(program);
-        genome.add_leaf(Leaf { programs })
+        genome.add_leaf(programs)
     }
 
     fn change_bid(&self, genome: &mut Genome, edge: &mut Edge, stream: &mut Stream) {
@@ -142,9 +142,9 @@ impl Context<'_> {
 fn twin(genome: &mut Genome, edge: Edge, pair: [u8; 2]) -> Edge {
     let program = exchanged(genome, edge.program, pair);
     let Destination::Leaf(leaf) = edge.to else { return Edge { program, ..edge } };
-    let programs = genome.leaves()[&leaf].programs.clone();
+    let programs = genome.leaves()[&leaf].clone();
     let programs = programs.into_iter().map(|program| exchanged(genome, program, pair)).collect();
-    Edge { program, to: Destination::Leaf(genome.add_leaf(Leaf { programs })) }
+    Edge { program, to: Destination::Leaf(genome.add_leaf(programs)) }
 }
 
 /// Adds a copy of a program that reads each of two sources for the other.
@@ -210,13 +210,13 @@ mod tests {
         let writer = LinearWriter::new(&vocabulary, 0, ProgramKind::Sum).expect("sums can be written");
         let root = writer.add_root(&mut genome, &[3.0, 0.0, 0.0, 0.0, -3.0, 0.0, 5.0, 0.0, 0.0, -5.0]);
         let pair = vocabulary.pair(&mut Stream::new(1, 0, Purpose::Test, 0)).expect("two sources of two values");
-        let Destination::Leaf(leaf) = genome.team(root).edges[0].to else { panic!("a leaf") };
-        let edge = Edge { program: genome.leaves()[&leaf].programs[0], to: Destination::Leaf(leaf) };
+        let Destination::Leaf(leaf) = genome.team(root)[0].to else { panic!("a leaf") };
+        let edge = Edge { program: genome.leaves()[&leaf][0], to: Destination::Leaf(leaf) };
         let edges = [edge, twin(&mut genome, edge, pair)];
         // The bid, and the outputs.
         let values = |edge: Edge, state: [f64; 4]| {
             let Destination::Leaf(leaf) = edge.to else { panic!("a leaf") };
-            let programs = std::iter::once(&edge.program).chain(&genome.leaves()[&leaf].programs);
+            let programs = std::iter::once(&edge.program).chain(&genome.leaves()[&leaf]);
             programs.map(|id| genome.program(*id).bid(&vocabulary, &state)).collect::<Vec<_>>()
         };
         let (first, second) = (values(edges[0], [2.0, 1.0, 0.5, 0.0]), values(edges[1], [0.5, 0.0, 2.0, 1.0]));
@@ -226,11 +226,11 @@ mod tests {
 
     #[test]
     fn a_policy_starts_as_a_formula_and_structure_is_added() {
-        assert!(evolved(0).teams.values().all(|team| team.edges.len() == 1));
+        assert!(evolved(0).teams.values().all(|team| team.len() == 1));
         let genome = evolved(400);
-        let edges: Vec<usize> = genome.teams.values().map(|team| team.edges.len()).collect();
+        let edges: Vec<usize> = genome.teams.values().map(Vec::len).collect();
         assert!(edges.iter().any(|&edges| edges > 1), "{edges:?}");
-        let to_teams = genome.teams.values().flat_map(|team| &team.edges);
+        let to_teams = genome.teams.values().flatten();
         assert!(to_teams.clone().any(|edge| matches!(edge.to, Destination::Team(_))), "some edge leads to a team");
         assert!(to_teams.clone().all(|edge| !matches!(edge.to, Destination::Action(_))));
         let used: std::collections::BTreeSet<_> = to_teams.map(|edge| edge.to).collect();

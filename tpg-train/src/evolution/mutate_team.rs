@@ -1,7 +1,7 @@
 //! The first population, and children of roots, with GEGELATI's choices (`mutator/tpgMutator.cpp`).
 
 use super::children::add_children;
-use super::genome::{Destination, Edge, Genome, ProgramId, Team, TeamId};
+use super::genome::{Destination, Edge, Genome, ProgramId, TeamId};
 use super::mutate_program::P_PROGRAM_MUTATION;
 use super::stage::{Context, Moment};
 use tpg_engine::random::{Purpose, Stream};
@@ -53,7 +53,7 @@ impl Context<'_> {
                 taken.push(index);
                 edges.push(edge(index, ((index / 2 + index % 2) % actions) as u16));
             }
-            genome.add_team(Team { edges });
+            genome.add_team(edges);
         }
         genome
     }
@@ -61,7 +61,7 @@ impl Context<'_> {
     /// Adds children, mutated copies of roots; some are changed only a little, or get opposite bids.
     pub(super) fn populate_teams(&self, genome: &mut Genome, moment: Moment) {
         let teams: Vec<TeamId> = genome.teams.keys().copied().collect();
-        let edges: Vec<Edge> = genome.teams.values().flat_map(|team| team.edges.iter().copied()).collect();
+        let edges: Vec<Edge> = genome.teams.values().flatten().copied().collect();
         let before = EarlierEdges { teams: &teams, edges: &edges };
         let mut to_mutate = Vec::new();
         add_children(genome, self.config.tpg.nb_roots, moment, |genome, parent, stream| {
@@ -69,9 +69,9 @@ impl Context<'_> {
             let close = close.or_else(|| self.mirrored_child(genome, parent, &edges, stream));
             let close = close.or_else(|| self.mutated_child(genome, parent, stream));
             close.unwrap_or_else(|| {
-                let edges = genome.team(parent).edges.clone();
+                let edges = genome.team(parent).to_vec();
                 let edges = self.mutated_edges(genome, edges, &before, &mut to_mutate, stream);
-                genome.add_team(Team { edges })
+                genome.add_team(edges)
             })
         });
         for (index, new) in (0..).zip(&to_mutate) {
@@ -175,15 +175,15 @@ mod tests {
         let genome = evolved(&config, 0);
         assert_eq!((genome.roots().len(), genome.teams.len()), (30, 30));
         for (place, team) in genome.teams.values().enumerate() {
-            assert!((2..=config.tpg.max_init_outgoing_edges).contains(&team.edges.len()));
+            assert!((2..=config.tpg.max_init_outgoing_edges).contains(&team.len()));
             if place < 9 {
                 let actions = [0, 1].map(|edge| Destination::Action(((place + edge) % 9) as u16));
-                assert_eq!([team.edges[0].to, team.edges[1].to], actions, "actions are spread over the first roots");
+                assert_eq!([team[0].to, team[1].to], actions, "actions are spread over the first roots");
             }
-            let mut programs: Vec<ProgramId> = team.edges.iter().map(|edge| edge.program).collect();
+            let mut programs: Vec<ProgramId> = team.iter().map(|edge| edge.program).collect();
             programs.sort_unstable();
             programs.dedup();
-            assert_eq!(programs.len(), team.edges.len(), "a team's first programs are different ones");
+            assert_eq!(programs.len(), team.len(), "a team's first programs are different ones");
         }
     }
 
@@ -197,8 +197,8 @@ mod tests {
         assert_eq!(genome.roots().len(), config.tpg.nb_roots);
         let mut deep = 0;
         for (&id, team) in &genome.teams {
-            assert!((2..=config.tpg.max_outgoing_edges).contains(&team.edges.len()));
-            for edge in &team.edges {
+            assert!((2..=config.tpg.max_outgoing_edges).contains(&team.len()));
+            for edge in team {
                 assert!((1..=config.program.max_program_size).contains(&genome.program(edge.program).lines.len()));
                 if let Destination::Team(to) = edge.to {
                     assert!(to < id, "an edge to a younger team could close a cycle");

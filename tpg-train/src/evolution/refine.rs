@@ -1,7 +1,7 @@
 //! Children close to their parent: all constants change together, one line is lost, or one program is mutated.
 
 use super::config::RefinementConfig;
-use super::genome::{Destination, Edge, Genome, GenomeLine, Leaf, Program, ProgramId, Team, TeamId};
+use super::genome::{Destination, Edge, Genome, GenomeLine, Program, ProgramId, TeamId};
 use super::stage::Context;
 use std::collections::BTreeMap;
 use tpg_engine::random::Stream;
@@ -84,10 +84,10 @@ impl Context<'_> {
     /// Returns copies of the programs of a team that matter, without lines that have no effect: the bids, if there is more
     /// than one edge, and those of its leaves.
     fn programs_of(&self, genome: &Genome, team: TeamId) -> BTreeMap<ProgramId, Program> {
-        let edges = &genome.team(team).edges;
+        let edges = genome.team(team);
         let bids = edges.iter().map(|edge| edge.program).filter(|_| edges.len() > 1);
         let leaves = edges.iter().filter_map(|edge| match edge.to {
-            Destination::Leaf(leaf) => Some(genome.leaves()[&leaf].programs.iter().copied()),
+            Destination::Leaf(leaf) => Some(genome.leaves()[&leaf].iter().copied()),
             Destination::Team(_) | Destination::Action(_) => None,
         });
         let short = |id: ProgramId| {
@@ -112,19 +112,19 @@ fn copy(genome: &mut Genome, parent: TeamId, replaced: BTreeMap<ProgramId, Progr
     let new: BTreeMap<ProgramId, ProgramId> =
         replaced.into_iter().map(|(id, program)| (id, genome.add_program(program))).collect();
     let renamed = |id: ProgramId| new.get(&id).copied().unwrap_or(id);
-    let edges = genome.team(parent).edges.clone();
+    let edges = genome.team(parent).to_vec();
     let edges = edges.into_iter().map(|Edge { program, to }| {
         let to = match to {
             Destination::Leaf(leaf) => {
-                let programs = genome.leaves()[&leaf].programs.iter().map(|&id| renamed(id)).collect();
-                Destination::Leaf(genome.add_leaf(Leaf { programs }))
+                let programs = genome.leaves()[&leaf].iter().map(|&id| renamed(id)).collect();
+                Destination::Leaf(genome.add_leaf(programs))
             }
             Destination::Team(_) | Destination::Action(_) => to,
         };
         Edge { program: renamed(program), to }
     });
     let edges = edges.collect();
-    genome.add_team(Team { edges })
+    genome.add_team(edges)
 }
 
 #[cfg(test)]

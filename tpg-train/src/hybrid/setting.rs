@@ -77,7 +77,7 @@ impl Setting {
     }
 
     /// True if the graph can ever hand over.
-    pub fn has_trigger(&self) -> bool {
+    pub(crate) fn has_trigger(&self) -> bool {
         let has_rule = self.separation.is_finite() || self.patience != Span::NEVER || self.detector != Detector::None;
         has_rule || self.guard != UNGUARDED
     }
@@ -112,7 +112,7 @@ impl Setting {
     ///
     /// # Errors
     /// A guard that the problem does not have, or cycles of states without keys.
-    pub fn check_on(&self, problem: &str, guards: &[&str], has_key: bool) -> Result<(), InputError> {
+    pub(crate) fn check_on(&self, problem: &str, guards: &[&str], has_key: bool) -> Result<(), InputError> {
         if self.guard != UNGUARDED && !guards.contains(&self.guard.as_str()) {
             let accepted = if guards.is_empty() { UNGUARDED.to_owned() } else { guards.join(", ") };
             return Err(command_line(format!("guard {} for {problem}", self.guard), accepted));
@@ -129,7 +129,7 @@ impl Setting {
     ///
     /// # Errors
     /// As [`check`](Self::check), or no trigger at all for a graph that asks nobody.
-    pub fn check_for(&self, graph: &Graph) -> Result<(), Finding> {
+    fn check_for(&self, graph: &Graph) -> Result<(), Finding> {
         self.check()?;
         if self.has_trigger() || graph.asks().next().is_some() {
             return Ok(());

@@ -1,8 +1,8 @@
 //! Learning curves: mean over the seeds of a group, with a band of one standard deviation.
 
 use super::runs::{Group, OWN};
-use tpg_engine::Sample;
-use tpg_picture::{Axis, Colour, Figure, FiveNumbers, Plot, Section};
+use tpg_engine::{Sample, quantile};
+use tpg_picture::{Axis, Colour, Figure, Plot, Section};
 
 /// The label of axes of scores.
 const SCORE: &str = "score";
@@ -87,7 +87,7 @@ fn ends_of_scores(groups: &[&Group], shown: &[Shown]) -> Option<[f64; 2]> {
     let runs = || groups.iter().flat_map(|group| &group.runs);
     let scores = places.flat_map(|place| runs().flat_map(move |run| run.curve(place)));
     let finite: Vec<f64> = scores.map(|[_, score]| score).filter(|score| score.is_finite()).collect();
-    let [low, high] = [FiveNumbers::new(&finite)?.low, finite.iter().copied().fold(f64::NEG_INFINITY, f64::max)];
+    let [low, high] = [quantile(&finite, 0.05)?, finite.iter().copied().fold(f64::NEG_INFINITY, f64::max)];
     (low < high).then_some([low, high])
 }
 

@@ -4,9 +4,9 @@ use super::runs::{Group, Run};
 use super::test::Tested;
 use crate::hybrid::rollout::Policies;
 use std::slice::from_ref;
-use tpg_engine::Sample;
+use tpg_engine::{Sample, quantile};
 use tpg_graph::error::counted;
-use tpg_picture::{FiveNumbers, Section, Table};
+use tpg_picture::{Section, Table};
 
 /// A number of a run, where it has one.
 type Number<'a> = &'a dyn Fn(&Run) -> Option<f64>;
@@ -21,7 +21,7 @@ pub(super) fn section(groups: &[Group]) -> Section {
         ("score", &|run| Some(summary(run)?.score)),
         ("success %", &|run| Some(100.0 * summary(run)?.success?)),
         (&mean_measure, &|run| Some(Sample::new(&measured(run)?).mean)),
-        (&median_measure, &|run| Some(FiveNumbers::new(&measured(run)?)?.median)),
+        (&median_measure, &|run| quantile(&measured(run)?, 0.5)),
         ("actions", &|run| Some(summary(run)?.actions)),
         ("selection", &Run::validated),
         ("CPU s", &|run| run.cpu),

@@ -155,7 +155,7 @@ mod tests {
 
     #[test]
     fn a_stopped_run_ends_in_the_bytes_of_an_undisturbed_one() {
-        check_resumed(&Motors::new(Start::Rs, motors::Config::default(), 9), &small("best-rs"));
+        check_resumed(&Motors::new(Start::Rs, motors::MotorsConfig::default(), 9), &small("best-rs"));
         check_resumed(&Pendulum, &small("general"));
         let mut measured = small("general");
         measured.learning.measured_inputs = true;

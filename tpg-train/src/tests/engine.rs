@@ -37,9 +37,9 @@ fn config(scalar: ScalarType) -> EvolutionConfig {
 }
 
 /// Returns the arm's configuration with every source.
-fn problem() -> arm::Config {
+fn problem() -> arm::ArmConfig {
     let sources = Source::ALL.map(|source| source.name().to_owned()).to_vec();
-    arm::Config { sources, may_stop: true, ..arm::Config::default() }
+    arm::ArmConfig { sources, may_stop: true, ..arm::ArmConfig::default() }
 }
 
 /// Returns a policy as a run finds it.
@@ -64,7 +64,7 @@ where
     Own: Maths<S>,
 {
     /// Creates roots that are several mutations away from random ones, with several levels of teams.
-    fn new(scalar: ScalarType, arm: &Arm<f64>, mut problem: arm::Config) -> Self {
+    fn new(scalar: ScalarType, arm: &Arm<f64>, mut problem: arm::ArmConfig) -> Self {
         let config = config(scalar);
         // Random policies that read this source rarely return to a pose, and the test needs cycles.
         problem.sources.retain(|name| name != "stance");
@@ -154,7 +154,7 @@ fn same<S: Lattice>(ending: &EpisodeResult, summary: &Summary<S>, outcomes: &[&s
         && ending.measure.to_bits() == summary.distance.to_f64().to_bits()
 }
 
-fn engine_is_the_interpreter<S: Number>(scalar: ScalarType, arm: &Arm<f64>, problem: arm::Config) -> [usize; 7]
+fn engine_is_the_interpreter<S: Number>(scalar: ScalarType, arm: &Arm<f64>, problem: arm::ArmConfig) -> [usize; 7]
 where
     Own: Maths<S>,
 {
@@ -201,7 +201,7 @@ fn every_step_is_the_interpreters_in_f64() {
 /// So wide a tolerance is reached by chance, and so much play decides when.
 #[test]
 fn with_play_too_every_step_is_the_interpreters() {
-    let loose = arm::Config { tolerance: 250.0, backlash: 150, ..problem() };
+    let loose = arm::ArmConfig { tolerance: 250.0, backlash: 150, ..problem() };
     let [reached, cycles, ..] = engine_is_the_interpreter::<f32>(ScalarType::F32, &WIDOWX, loose.clone());
     assert!(reached > 5 && cycles > 5, "{reached} targets reached, {cycles} cycles");
     engine_is_the_interpreter::<f64>(ScalarType::F64, &another_arm(), loose);

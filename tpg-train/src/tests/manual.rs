@@ -7,6 +7,7 @@ use schemars::JsonSchema;
 use serde_json::Value;
 use std::fmt::Write as _;
 use tpg_problems::arm::arms::ARMS;
+use tpg_problems::varied::VariedSettings;
 use tpg_problems::{acrobot, arm, cartpole, dodge, mountain_car, mountain_car_continuous, pendulum};
 use tpg_testing::book::page;
 
@@ -32,19 +33,23 @@ The default is the preset `thorough`; `tpg-train config --list` names the others
     sections::<SacConfig>(&mut text);
 
     text += "\n## The section `[problem]`\n\n`name` is the problem's, as `tpg-train problems` lists them. Its other keys:\n";
-    problem::<cartpole::Config>(&mut text, "CartPole, Acrobot, MountainCar and Pendulum", is_disturbance);
+    problem::<VariedSettings<cartpole::Amounts>>(
+        &mut text,
+        "CartPole, Acrobot, MountainCar and Pendulum",
+        is_disturbance,
+    );
     text += "\nEach `physics` is a number, or `[low, high]`, from which each episode draws.\n";
-    problem::<cartpole::Config>(&mut text, "`cartpole`", is_own);
-    problem::<acrobot::Config>(&mut text, "`acrobot`", is_own);
-    problem::<mountain_car::Config>(&mut text, "`mountain-car`", is_own);
-    problem::<mountain_car_continuous::Config>(&mut text, "`mountain-car-continuous`", is_own);
-    problem::<pendulum::Config>(&mut text, "`pendulum`", is_own);
-    problem::<arm::Config>(&mut text, "`fs` and `rs` with `tpg`", is_own);
-    problem::<arm::motors::Config>(&mut text, "`fs` and `rs` with `sac`", is_own);
-    problem::<arm::Config>(&mut text, "The arm of `fs` and `rs`", is_arm);
+    problem::<VariedSettings<cartpole::Amounts>>(&mut text, "`cartpole`", is_own);
+    problem::<VariedSettings<acrobot::Amounts>>(&mut text, "`acrobot`", is_own);
+    problem::<VariedSettings<mountain_car::Amounts>>(&mut text, "`mountain-car`", is_own);
+    problem::<VariedSettings<mountain_car_continuous::Amounts>>(&mut text, "`mountain-car-continuous`", is_own);
+    problem::<pendulum::PendulumConfig>(&mut text, "`pendulum`", is_own);
+    problem::<arm::ArmConfig>(&mut text, "`fs` and `rs` with `tpg`", is_own);
+    problem::<arm::motors::MotorsConfig>(&mut text, "`fs` and `rs` with `sac`", is_own);
+    problem::<arm::ArmConfig>(&mut text, "The arm of `fs` and `rs`", is_arm);
     let names = ARMS.map(|arm| format!("`\"{}\"`", arm.name)).join(", ");
     let _ = write!(text, "\nLengths are in mm. Instead of the section, `arm` may be a name: {names}.\n");
-    problem::<dodge::Config>(&mut text, "`dodge`", is_own);
+    problem::<dodge::DodgeConfig>(&mut text, "`dodge`", is_own);
     page("configuration.md", &text);
 }
 

@@ -217,12 +217,16 @@ fn header(line: &str) -> Option<(u64, String)> {
     Some((u64::from_str_radix(address, 16).ok()?, name.to_owned()))
 }
 
+/// Returns the address before a colon, and the tab-separated fields behind it.
+fn fields(line: &str) -> Option<(u64, impl Iterator<Item = &str>)> {
+    let (address, rest) = line.split_once(':')?;
+    Some((u64::from_str_radix(address.trim(), 16).ok()?, rest.trim_start().split('\t').map(str::trim)))
+}
+
 /// Parses tab-separated fields: `e:`, `bl`, `0 <g>`, and for a relocation `e: R_ARM_THM_CALL`, `g`. Data (`.word`) is
 /// not an instruction.
 fn instruction(line: &str) -> Option<Line> {
-    let (address, rest) = line.split_once(':')?;
-    let address = u64::from_str_radix(address.trim(), 16).ok()?;
-    let mut fields = rest.trim_start().split('\t').map(str::trim);
+    let (address, mut fields) = fields(line)?;
     let mnemonic = fields.next()?;
     let is_code = mnemonic.starts_with(|first: char| first.is_ascii_lowercase());
     let operands = fields.next().unwrap_or_default();
@@ -234,7 +238,7 @@ fn instruction(line: &str) -> Option<Line> {
     let target = distance.map(|distance: i64| format!("{:x}", (address + 2).wrapping_add_signed(distance)));
     let operands = target.as_deref().unwrap_or(operands);
     // A comment: `@ (85e8 <f+0x10>)`, `# 1000085c <table>`.
-    let comment = rest.rsplit_once(['@', '#']).and_then(|(_, comment)| comment.split_once(" <"));
+    let comment = line.rsplit_once(['@', '#']).and_then(|(_, comment)| comment.split_once(" <"));
     let refers_to = comment.and_then(|(text, _)| u64::from_str_radix(text.rsplit([' ', '(']).next()?, 16).ok());
     let relocation = fields.find(|field| field.contains(": R_ARM_THM_"));
     let symbol = relocation.and_then(|_| fields.next()).map(str::to_owned);
@@ -251,9 +255,7 @@ fn words(line: &str) -> impl Iterator<Item = (u64, u32)> + '_ {
 
 /// Returns the bytes of a line of data, `12: .short 0x0302` with tabs in between, with their addresses.
 fn data(line: &str) -> Option<impl Iterator<Item = (u64, u8)> + use<>> {
-    let (address, rest) = line.split_once(':')?;
-    let address = u64::from_str_radix(address.trim(), 16).ok()?;
-    let mut fields = rest.trim_start().split('\t').map(str::trim);
+    let (address, mut fields) = fields(line)?;
     let count = match fields.next()? {
         ".byte" => 1,
         ".short" => 2,

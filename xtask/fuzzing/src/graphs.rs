@@ -1,8 +1,8 @@
 //! Graphs: their files, and the code made of them.
 
 use crate::{Bytes, accepted};
-use std::sync::OnceLock;
-use tpg_codegen::emit::{self, Language, Options, Profile, Style};
+use std::sync::LazyLock;
+use tpg_codegen::emit::{self, Code, Language, Options, Profile, Style};
 use tpg_codegen::verify::{self, Workshop};
 use tpg_graph::import::{self, Sidecar};
 use tpg_graph::interpret::Answer;
@@ -32,10 +32,13 @@ pub fn dot(data: &[u8]) {
     }
 }
 
+/// The graph whose states were recorded.
+static RECORDED: LazyLock<Graph> =
+    LazyLock::new(|| sample::graph(&Shape { sources: vec![2, 1], ..Shape::default() }, 1));
+
 /// Recorded states of a graph.
 pub fn trace(data: &[u8]) {
-    static GRAPH: OnceLock<Graph> = OnceLock::new();
-    let graph = GRAPH.get_or_init(|| sample::graph(&Shape { sources: vec![2, 1], ..Shape::default() }, 1));
+    let graph = &*RECORDED;
     if let Some(states) = accepted(tpg_graph::trace::from_text("fuzzed.csv", &String::from_utf8_lossy(data), graph)) {
         assert_eq!(states.len() % graph.state_length(), 0);
     }
@@ -43,8 +46,7 @@ pub fn trace(data: &[u8]) {
 
 /// Recorded states of a graph with the answers of another tool.
 pub fn recording(data: &[u8]) {
-    static GRAPH: OnceLock<Graph> = OnceLock::new();
-    let graph = GRAPH.get_or_init(|| sample::graph(&Shape { sources: vec![2, 1], ..Shape::default() }, 1));
+    let graph = &*RECORDED;
     if let Some(recording) =
         accepted(tpg_graph::trace::recording_from_text("fuzzed.csv", &String::from_utf8_lossy(data), graph))
     {
@@ -94,15 +96,16 @@ pub fn compiled(data: &[u8]) {
         ..shape
     };
     let graph = sample::graph(&shape, seed);
-    let policies = Profile::ALL.map(|profile| {
+    let codes = Profile::ALL.map(|profile| {
         let prefix = profile.name().replace('-', "_").parse().expect("a prefix");
-        (&graph, Options { profile: Some(profile), ..Options::new(prefix) })
+        let options = Options { profile: Some(profile), ..Options::new(prefix) };
+        Code::of_graph("fuzzed.json", &graph, &options, Language::C).expect("a graph of numbers")
     });
     let workshop = Workshop::new().expect("a temporary folder");
-    let batch = workshop.batch(Language::C, &policies).expect("generated code compiles");
-    for (place, (graph, options)) in policies.iter().enumerate() {
-        let mut process = batch.start(place, graph).expect("the program starts");
-        let comparisons = verify::compare(graph, &mut [&mut process], 500, states).expect("it runs");
-        assert_eq!(comparisons[0].differences, 0, "{}: {:?}\n{}", options.prefix, comparisons[0], graph.to_json());
+    let batch = workshop.batch(&codes, None).expect("generated code compiles");
+    for (place, profile) in Profile::ALL.into_iter().enumerate() {
+        let mut process = batch.start(place, &graph).expect("the program starts");
+        let comparisons = verify::compare(&graph, &mut [&mut process], 500, states).expect("it runs");
+        assert_eq!(comparisons[0].differences, 0, "{}: {:?}\n{}", profile.name(), comparisons[0], graph.to_json());
     }
 }

@@ -2,12 +2,11 @@
 //! licences.
 
 use super::{PROGRAMS, STATIC};
-use crate::check::cargo;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::io;
 use std::process::Command;
-use tpg_testing::library;
+use tpg_testing::library::{self, cargo};
 
 /// The crate of the libraries.
 const LIBRARY: &str = "tpg-runtime-capi";

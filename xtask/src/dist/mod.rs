@@ -6,14 +6,14 @@
 
 mod bill;
 
-use crate::check::{cargo, step};
+use crate::check::step;
 use clap::Args;
 use sha2::{Digest as _, Sha256};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{fs, io};
-use tpg_testing::library;
+use tpg_testing::library::{self, cargo};
 
 /// The target of programs that need nothing of the machine but Linux.
 const STATIC: &str = "x86_64-unknown-linux-musl";

@@ -11,7 +11,7 @@ pub mod numbers;
 use Beside::*;
 use std::fs::OpenOptions;
 use std::io::{self, Write as _};
-use std::process::{Command, Stdio};
+use std::process::{Command, ExitStatus, Stdio};
 use std::{env, fs};
 
 /// Environment variable naming the file that skips are appended to, one per line.
@@ -89,9 +89,18 @@ const WITHOUT_VERSION: [&str; 1] = ["simavr"];
 /// True if a program works. For most, that it starts is not enough: rustup leaves a program for each component that is
 /// not installed.
 pub fn exists(program: &str) -> bool {
+    status(program, &["--version"]).is_ok_and(|status| status.success() || WITHOUT_VERSION.contains(&program))
+}
+
+/// True if a program answers without an error; its toolchain is the one that it names, not the pinned one.
+pub fn answers(program: &str, words: &[&str]) -> bool {
+    status(program, words).is_ok_and(|status| status.success())
+}
+
+fn status(program: &str, words: &[&str]) -> io::Result<ExitStatus> {
     let mut command = Command::new(program);
-    command.arg("--version").stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
-    command.status().is_ok_and(|status| status.success() || WITHOUT_VERSION.contains(&program))
+    command.args(words).env_remove("RUSTUP_TOOLCHAIN");
+    command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).status()
 }
 
 /// True if a compiler finds a file of its libraries: it answers with the path, or with what it was asked.

@@ -62,6 +62,13 @@ pub fn target_folder() -> PathBuf {
     env::var_os("CARGO_TARGET_DIR").map_or_else(|| top().join("target"), PathBuf::from)
 }
 
+/// Returns the cargo that runs this program, in the repository's top folder.
+pub fn cargo(arguments: &[&str]) -> Command {
+    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    cargo.current_dir(top()).args(arguments);
+    cargo
+}
+
 /// Returns the default installation folder of a target's libraries.
 pub fn dist() -> PathBuf {
     target_folder().join("tpg_runtime")
@@ -90,10 +97,8 @@ pub fn make(target: &str, folder: &Path) -> io::Result<Option<PathBuf>> {
     // Tests make the same library at the same time; the lock ends with the file.
     let lock = objects.join("lock");
     let _locked = at(&lock, fs::File::create(&lock).and_then(|file| file.lock().map(|()| file)))?;
-    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    cargo.current_dir(top()).args(["build", "--quiet", "--package", "tpg-runtime-capi", "--profile", "firmware"]);
-    cargo.args(["--target", target, "--lib"]);
-    output(&mut cargo)?;
+    let package = ["build", "--quiet", "--package", "tpg-runtime-capi", "--profile", "firmware"];
+    output(cargo(&package).args(["--target", target, "--lib"]))?;
     let made = target_folder().join(target).join("firmware/libtpg_runtime_capi.a");
 
     let run = |program: &str, arguments: &[&str]| {

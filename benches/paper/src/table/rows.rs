@@ -6,8 +6,8 @@ use super::timing::{self, Time};
 use std::path::{Path, PathBuf};
 use tpg_arm::WIDOWX;
 use tpg_arm::observation::Straight;
-use tpg_codegen::emit::{Options, Prefix, Profile};
-use tpg_codegen::size::{self, Target};
+use tpg_codegen::emit::{Code, Language, Options, Prefix, Profile};
+use tpg_codegen::{compile, size};
 use tpg_engine::{Sample, TaskSet};
 use tpg_graph::Graph;
 use tpg_graph::error::{InputError, Place};
@@ -92,8 +92,7 @@ impl Ours<'_> {
 fn graph_bytes(graph: &Graph) -> Option<[usize; 2]> {
     let flash = |profile| {
         let options = Options { profile: Some(profile), ..Options::new("policy".parse::<Prefix>().ok()?) };
-        let size = size::compile_c(graph, &options, Target::M4f).and_then(|object| size::measure(&object)).ok()?;
-        Some(size.flash() as usize)
+        Some(size::flash_of_c(&Code::of(compile(graph, &options, Language::C))).ok()? as usize)
     };
     Some([flash(Profile::Fast)?, flash(Profile::Small)?])
 }

@@ -15,7 +15,7 @@ use tpg_arm::observation::Observation;
 use tpg_arm::{Move, Pose};
 use tpg_paper::actor::RecordedActor;
 use tpg_paper::chain::Chain;
-use tpg_paper::data::{End, EndRow, Task, rows};
+use tpg_paper::data::{End, Task, rows};
 use tpg_paper::episode::{EndState, Rules};
 use tpg_paper::plane;
 use tpg_runtime::policy::Policy;
@@ -44,7 +44,7 @@ struct HybridRow {
     sep_mm: f64,
     nb_it: u32,
     #[serde(flatten)]
-    end: EndRow,
+    end: End,
 }
 
 /// The recorded separation that stands for none.
@@ -54,7 +54,7 @@ const NO_SEPARATION: f64 = 10_000.0;
 pub(crate) fn hybrid_ends(path: &Path) -> Vec<HybridEnd> {
     let end = |HybridRow { tpg_seed, sac_seed, sep_mm, nb_it, end }| {
         let separation_mm = if sep_mm == NO_SEPARATION { f64::INFINITY } else { sep_mm };
-        HybridEnd { tpg_seed, sac_seed, separation_mm, hand_back_after: nb_it, row: end.row, end: end.end() }
+        HybridEnd { tpg_seed, sac_seed, separation_mm, hand_back_after: nb_it, row: end.row, end }
     };
     rows(path).expect("recorded ends").into_iter().map(end).collect()
 }

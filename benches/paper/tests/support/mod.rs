@@ -10,6 +10,7 @@ pub(crate) mod hybrid;
 pub(crate) mod policies;
 pub(crate) mod sac;
 pub(crate) mod torch_random;
+pub(crate) mod traces;
 
 use std::env;
 use std::path::{Path, PathBuf};

@@ -13,12 +13,12 @@ use crate::emit::layout;
 use crate::emit::leaves::{LeafView, views};
 use crate::emit::names;
 use crate::emit::syntax::Syntax;
-use crate::emit::team::{self, Decision, Destinations, TeamView};
+use crate::emit::team::{self, Destinations, TeamDecision, TeamView};
 use crate::ir::{Module, NodeId, Successor, topological};
 use crate::passes::schedule::{Schedule, TeamSchedule};
-use Decision::*;
 use Jump::*;
 use Successor::*;
+use TeamDecision::*;
 use askama::Template;
 
 #[derive(Template)]
@@ -89,7 +89,7 @@ fn answer(leaf: &LeafView, outputs: &[OutputView]) -> Vec<String> {
 }
 
 /// The statements after a team's bids; `follows` is the label of what stands next.
-fn decision(decision: &Decision<Jump>, winner: &str, follows: Option<&str>) -> Vec<String> {
+fn decision(decision: &TeamDecision<Jump>, winner: &str, follows: Option<&str>) -> Vec<String> {
     /// The longest choice on a line of its own.
     const LONGEST: usize = 96;
     let on = |condition: &str, lines: Vec<String>| {

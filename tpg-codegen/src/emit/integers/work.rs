@@ -5,7 +5,7 @@ use super::lines::Lines;
 use super::spelling::IntegerSpelling;
 use crate::emit::block::unused;
 use crate::emit::interface::OutputView;
-use crate::emit::team::{BidView, Decision, Destinations, TeamView};
+use crate::emit::team::{BidView, Destinations, TeamDecision, TeamView};
 use crate::integers::{Integers, Whole};
 use crate::ir::{Module, Node, NodeId, Successor};
 use crate::program::Program;
@@ -56,12 +56,12 @@ impl<'a> Work<'a> {
             views.push(BidView { statements, value, rank, wins, ascending: true, last, ..BidView::default() });
         }
         let decision = match (&views[..], &bids[..]) {
-            ([], _) => Decision::Always(to.jump(targets[0])),
+            ([], _) => TeamDecision::Always(to.jump(targets[0])),
             ([first, second], &[(_, one), (_, other)]) => {
-                Decision::Either(format!("{} >= {}", second.value, first.value), to.jump(other), to.jump(one))
+                TeamDecision::Either(format!("{} >= {}", second.value, first.value), to.jump(other), to.jump(one))
             }
-            _ if is_direct => Decision::Winner,
-            _ => Decision::Ways(
+            _ if is_direct => TeamDecision::Winner,
+            _ => TeamDecision::Ways(
                 ranks.into_iter().map(|rank| vec![rank]).zip(targets.iter().map(|&it| to.jump(it))).collect(),
             ),
         };

@@ -15,7 +15,7 @@ use crate::emit::layout;
 use crate::emit::leaves::{LeafView, views};
 use crate::emit::names;
 use crate::emit::syntax::Syntax;
-use crate::emit::team::{self, Decision, Destinations, TeamView};
+use crate::emit::team::{self, Destinations, TeamDecision, TeamView};
 use crate::ir::Module;
 use crate::passes::schedule::Schedule;
 use askama::Template;

@@ -30,7 +30,7 @@ impl Ball {
 
     /// Returns an upper bound of the speed, mm a step: the sum of the components' magnitudes.
     #[inline]
-    pub fn speed_bound(&self) -> f32 {
+    pub(crate) fn speed_bound(&self) -> f32 {
         let [dx, dy, dz] = self.velocity.map(f32::abs);
         dx + dy + dz
     }

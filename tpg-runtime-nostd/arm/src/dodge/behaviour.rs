@@ -66,7 +66,7 @@ pub struct Field {
 /// The field of the behaviours: the best of 72 settings on 200 validation scenes.
 pub const FIELD: Field = Field { gain: 0.3, reach: 15.0, ahead: 20.0, swirl: 0.3 };
 /// A strong field for the last moment.
-pub const EVASION: Field = Field { gain: 16.0, reach: 60.0, ahead: 4.0, swirl: 0.0 };
+pub(crate) const EVASION: Field = Field { gain: 16.0, reach: 60.0, ahead: 4.0, swirl: 0.0 };
 
 impl Field {
     /// Returns the step of the field towards a goal.
@@ -156,7 +156,7 @@ impl Behaviour {
     }
 
     /// Returns true if the behaviour computes a potential field.
-    pub const fn walks_in_field(self) -> bool {
+    pub(crate) const fn walks_in_field(self) -> bool {
         !matches!(self, Self::Plan | Self::Straight | Self::Hold | Self::Away)
     }
 

@@ -4,7 +4,7 @@ use super::ball::Ball;
 use super::behaviour::{BALLS, Behaviour, View};
 use super::body::Body;
 use super::dodger::{Dodger, DodgerSettings};
-use super::sources::{Source, VALUES};
+use super::sources::{DodgeSource, VALUES};
 use crate::arm::{Move, Pose};
 use crate::sensors::{Fault, Limits, Watch, Watchdog};
 use tpg_runtime::policy::{ActionId, Policy};
@@ -14,7 +14,7 @@ pub const GOALS: usize = 4;
 
 /// A step of a control loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Step {
+pub struct DodgeStep {
     /// The move that goes to the motors. No part of it is against limits, table or base.
     pub wanted: Move,
     /// The behaviour that the policy chose.
@@ -24,7 +24,7 @@ pub struct Step {
 /// The state of a control loop towards one target.
 ///
 /// ```
-/// use tpg_arm::dodge::{Ball, Behaviour, Body, Control, DodgerSettings, WIDOWX_RADII};
+/// use tpg_arm::dodge::{Ball, Behaviour, Body, DodgeControl, DodgerSettings, WIDOWX_RADII};
 /// use tpg_arm::sensors::{Fault, Watch};
 /// use tpg_arm::{Pose, WIDOWX};
 ///
@@ -33,7 +33,7 @@ pub struct Step {
 /// let goals = [Pose([2560, 2048, 2048, 2048])];
 /// let ball = Ball { at: [0.0, -450.0, 400.0], velocity: [0.0; 3], radius: 40.0 };
 ///
-/// let mut control = Control::new(&body, DodgerSettings::DEFAULT, Watch::DEFAULT, &goals, motors, &[ball])?;
+/// let mut control = DodgeControl::new(&body, DodgerSettings::DEFAULT, Watch::DEFAULT, &goals, motors, &[ball])?;
 /// for _ in 0..1000 {
 ///     let step = control.step(&body, &|_: &[f32; 17]| Behaviour::Plan, motors, &[ball])?;
 ///     // Here the motors move and are read; this is where they would be.
@@ -47,14 +47,14 @@ pub struct Step {
 /// # Ok::<(), Fault>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Control {
+pub struct DodgeControl {
     dodger: Dodger,
     watchdog: Watchdog<f32>,
     goals: [Pose; GOALS],
     count: u8,
 }
 
-impl Control {
+impl DodgeControl {
     /// Begins a loop towards a target, which is given by the poses that solve it: one to [`GOALS`], the nearest first.
     ///
     /// # Errors
@@ -84,14 +84,14 @@ impl Control {
     /// Does one step: takes the motors' positions and the balls as they are seen, lets a policy choose a behaviour, and returns
     /// the move that the caller sends to the motors before the next step.
     ///
-    /// `choose` answers the values of all sources, in the order of [`Source::ALL`]; see [`Chooser`] for a compiled graph.
+    /// `choose` answers the values of all sources, in the order of [`DodgeSource::ALL`]; see [`Chooser`] for a compiled graph.
     ///
     /// # Errors
     /// [`Fault::Sensor`] for a motor outside its joint's range, more than [`BALLS`] balls, or one that is not
     /// [sound](Ball::is_sound); [`Fault::Stuck`] where the motors are not where the moves led them. Nothing may be sent to the
     /// motors then, and nothing has changed: the same step can be done again with the next reading.
     #[inline]
-    pub fn step<C>(&mut self, body: &Body, choose: &C, motors: Pose, balls: &[Ball]) -> Result<Step, Fault>
+    pub fn step<C>(&mut self, body: &Body, choose: &C, motors: Pose, balls: &[Ball]) -> Result<DodgeStep, Fault>
     where
         C: Fn(&[f32; VALUES]) -> Behaviour + ?Sized,
     {
@@ -102,7 +102,7 @@ impl Control {
         let behaviour = choose(&self.dodger.observe(&view));
         let wanted = self.dodger.act(&view, behaviour);
         self.watchdog.commanded(motors, wanted);
-        Ok(Step { wanted, behaviour })
+        Ok(DodgeStep { wanted, behaviour })
     }
 
     /// Starts to compare commanded with observed motion anew, from where the motors are: the way out of [`Fault::Stuck`] once its
@@ -128,7 +128,7 @@ pub struct Chooser<'a, P> {
     /// The graph.
     pub policy: P,
     /// Its sources, in order.
-    pub sources: &'a [Source],
+    pub sources: &'a [DodgeSource],
     /// The behaviour of each action.
     pub behaviours: &'a [Behaviour],
 }
@@ -141,7 +141,7 @@ impl<P> Chooser<'_, P> {
         P: Policy<State = [f32; N], Action = ActionId>,
     {
         let mut state = [0.0; N];
-        Source::gather(self.sources, values, &mut state);
+        DodgeSource::gather(self.sources, values, &mut state);
         let ActionId(action) = self.policy.decide(&state);
         self.behaviours.get(usize::from(action)).copied().unwrap_or(Behaviour::Hold)
     }

@@ -10,9 +10,9 @@
 //! | [`Behaviour`] | what a policy chooses among |
 //! | [`Scout`] | the search: a few looks at a few plans in every step |
 //! | [`guarded`] | the guard: a step that would be hit is replaced, none is against limits, table or base |
-//! | [`Source`] | what a policy sees |
+//! | [`DodgeSource`] | what a policy sees |
 //! | [`Dodger`] | all of that around a policy |
-//! | [`Control`] | a control step on a real arm, whose readings may be wrong |
+//! | [`DodgeControl`] | a control step on a real arm, whose readings may be wrong |
 
 mod ball;
 mod behaviour;
@@ -25,10 +25,10 @@ mod scout;
 mod sources;
 
 pub use ball::Ball;
-pub use behaviour::{BALLS, Behaviour, EVASION, FIELD, Field, View, away};
+pub use behaviour::{BALLS, Behaviour, FIELD, Field, View, away};
 pub use body::{Body, CAPSULES, Nearest, Outline, Posture, WIDOWX_RADII};
-pub use control::{Chooser, Control, GOALS, Step};
+pub use control::{Chooser, DodgeControl, DodgeStep, GOALS};
 pub use dodger::{Dodger, DodgerSettings};
 pub use guard::{Guarded, guarded, permitted};
 pub use scout::{Fate, HORIZON, Scout};
-pub use sources::{Source, VALUES};
+pub use sources::{DodgeSource, VALUES};

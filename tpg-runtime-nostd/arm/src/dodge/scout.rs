@@ -214,7 +214,7 @@ impl Scout {
     }
 
     /// Returns the plan, to be followed.
-    pub fn plan_mut(&mut self) -> &mut Plan {
+    pub(crate) fn plan_mut(&mut self) -> &mut Plan {
         &mut self.plan
     }
 

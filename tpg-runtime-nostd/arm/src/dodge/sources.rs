@@ -12,7 +12,7 @@ pub const VALUES: usize = 17;
 named! {
     /// A source of the arm among balls.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-    pub enum Source {
+    pub enum DodgeSource {
         /// Goal less pose of base, shoulder, elbow and wrist, ticks.
         Left = "left",
         /// Of the nearest ball: clearance, mm; its change in a step if the arm holds, mm; by how much each joint changes it, mm a
@@ -29,7 +29,7 @@ named! {
     }
 }
 
-impl Source {
+impl DodgeSource {
     /// Returns the places of its values among those of all sources: the first, and their number.
     const fn place(self) -> (usize, usize) {
         match self {

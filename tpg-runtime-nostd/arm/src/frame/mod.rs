@@ -149,7 +149,7 @@ impl<'a, S: Lattice> Frame<'a, S> {
 
     /// Errors in the polar frame of the point on the base's axis at the shoulder's height, mm: lateral, tangential, radial. The radial
     /// one is the difference of the distances from there to target and hand.
-    pub fn polar_errors(&self) -> [S; 3] {
+    pub(crate) fn polar_errors(&self) -> [S; 3] {
         let base = self.arm.links.base;
         let ([x, y, z], radius) = (self.target, self.radius());
         let (hand, target) = (self.height() - base, z - base);

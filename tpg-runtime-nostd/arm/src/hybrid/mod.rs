@@ -145,19 +145,19 @@ where
     /// The next action and the policy that chose it. A guard may hand over here: then both policies are asked, once each.
     pub fn decide<D: CycleDetector<Pose>>(&self, switch: &mut Switch<S, D>, seen: &Observation<S>) -> Chosen {
         let both = switch::Pair { tpg: &self.tpg, sac: &self.sac };
-        let guard = Guarded { arm: self.arm, guard: self.settings.guard, leeway: &switch.leeway };
+        let guard = ArmGuard { arm: self.arm, guard: self.settings.guard, leeway: &switch.leeway };
         both.decide(&mut switch.turns, seen, &guard)
     }
 }
 
 /// A guard of an arm.
-struct Guarded<'a, S> {
+struct ArmGuard<'a, S> {
     arm: &'a Arm<S>,
     guard: Guard,
     leeway: &'a Leeway,
 }
 
-impl<S: Lattice> switch::Guard<Observation<S>, Move> for Guarded<'_, S> {
+impl<S: Lattice> switch::Guard<Observation<S>, Move> for ArmGuard<'_, S> {
     #[inline(always)]
     fn refuses(&self, seen: &Observation<S>, &wanted: &Move) -> bool {
         self.guard.refuses(self.arm, seen.pose, wanted, |moved| self.leeway.collision(self.arm, moved))

@@ -94,7 +94,7 @@ impl<S: Lattice> Watchdog<S> {
     /// # Errors
     /// [`Fault::Sensor`] or [`Fault::Stuck`]. Nothing changes then.
     #[inline(always)]
-    pub fn check_motors(&self, motors: Pose) -> Result<(), Fault> {
+    pub(crate) fn check_motors(&self, motors: Pose) -> Result<(), Fault> {
         let at = lanes::from_pose(motors);
         if self.limits.ranges.hold(at) & self.expected.hold(at) & TOP == TOP {
             Ok(())

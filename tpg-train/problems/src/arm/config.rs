@@ -3,7 +3,7 @@
 use super::arms;
 use super::description::ArmDescription;
 use super::environment::ArmEnvironment;
-use super::motors;
+use super::motors::MotorsConfig;
 use super::problem::ArmProblem;
 use super::targets::{Start, TOLERANCE};
 use crate::registry::Number;
@@ -16,7 +16,7 @@ use tpg_graph::error::Finding;
 /// The section `[problem]` for the arm: the task, the sources that programs read, and the scoring.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
-pub struct Config {
+pub struct ArmConfig {
     /// Sources that programs read, in order.
     pub sources: Vec<String>,
     /// Distance below which the hand has reached its target, mm.
@@ -44,7 +44,7 @@ pub struct Config {
     pub tests: bool,
     /// How the network drives that shares or has the arm.
     #[serde(skip)]
-    pub network: Option<Box<motors::Config>>,
+    pub network: Option<Box<MotorsConfig>>,
 }
 
 /// Returns true for joints without play, which need not be written.
@@ -60,7 +60,7 @@ pub(super) fn check_backlash(ticks: i16) -> Result<(), Finding> {
 /// Most ticks of play: 18 degrees.
 const MOST_BACKLASH: i16 = 200;
 
-impl Default for Config {
+impl Default for ArmConfig {
     /// Returns the paper's problem, with the pose that solves the task and the height above the table as sources.
     fn default() -> Self {
         Self {
@@ -79,7 +79,7 @@ impl Default for Config {
     }
 }
 
-impl Config {
+impl ArmConfig {
     /// Checks ranges, names and consistency.
     ///
     /// # Errors

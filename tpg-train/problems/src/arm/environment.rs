@@ -13,7 +13,7 @@ pub use episode::ArmEpisode;
 
 use crate::arm::problem::{ArmProblem, ArmTask, DISTANCE, OUTCOMES, on_the_arm};
 use crate::arm::targets::{self, ReachableSpace, Set};
-use crate::arm::{drawing, motors};
+use crate::arm::{drawing, motors::MotorsConfig};
 use crate::registry::Number;
 use clearance::Clearances;
 use tpg_arm::binding::MOVE;
@@ -83,12 +83,12 @@ impl<S: Number> ArmEnvironment<S> {
             places,
             sines: Box::new(std::array::from_fn(|ticks| Angle(ticks as i32).direction().sin)),
             narrow: arm.to_f32(),
-            decision: motors::Config::default().decision(),
+            decision: MotorsConfig::default().decision(),
         }
     }
 
     /// Returns the same environment for networks of these settings.
-    pub fn with_network(self, config: &motors::Config) -> Self {
+    pub(crate) fn with_network(self, config: &MotorsConfig) -> Self {
         Self { decision: config.decision(), ..self }
     }
 

@@ -10,8 +10,7 @@ use tpg_arm::episode::Episode;
 use tpg_arm::kinematics::Lattice;
 use tpg_arm::observation::Observation;
 use tpg_arm::{Arm, Move};
-use tpg_engine::{EpisodeResult, Summary};
-use tpg_picture::FiveNumbers;
+use tpg_engine::{EpisodeResult, Summary, quantile};
 use tpg_runtime::policy::Policy;
 
 /// Statistics of many episodes of one problem, for reports. Rates lie in 0..1, distances are in mm.
@@ -64,7 +63,7 @@ impl ReachStatistics {
             success_rate: successes.len() as f64 / count,
             collision_rate: invalid as f64 / count,
             mean_distance_mm: distances.iter().sum::<f64>() / count,
-            median_distance_mm: FiveNumbers::new(&distances).map_or(0.0, |five| five.median),
+            median_distance_mm: quantile(&distances, 0.5).unwrap_or(0.0),
             mean_actions: Summary::new(endings).actions,
             mean_actions_on_success: on_success / successes.len().max(1) as f64,
             failures,

@@ -10,7 +10,7 @@ use tpg_arm::kinematics::{self, Plane};
 use tpg_arm::{Arm, JOINTS, Pose, TICKS_PER_TURN};
 
 /// Number of pitches of the hand that are tried, evenly spaced around the circle.
-pub const PITCHES: u32 = 144;
+pub(crate) const PITCHES: u32 = 144;
 /// Maximum distance from a goal's hand to the target, mm: rounding to ticks costs up to about 1 mm.
 const TOLERANCE: f64 = 4.0;
 

@@ -27,7 +27,7 @@ pub mod planner;
 pub mod problem;
 pub mod targets;
 
-pub use config::Config;
+pub use config::ArmConfig;
 pub use description::ArmDescription;
 pub use environment::ArmEnvironment;
 pub use problem::{ArmProblem, ArmTask};

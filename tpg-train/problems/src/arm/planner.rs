@@ -23,7 +23,7 @@ pub enum Choice {
 
 /// Names of the controllers for [`controlled`]: the planner by either rule, and straight to the stance, which fits a
 /// microcontroller.
-pub const CONTROLLERS: [&str; 3] = ["planner", "nearest-goal", "closed-form"];
+pub(crate) const CONTROLLERS: [&str; 3] = ["planner", "nearest-goal", "closed-form"];
 
 /// Lets a controller do tasks; `None` if there is none of that name.
 pub fn controlled(name: &str, arm: &Arm<f64>, problem: &ArmProblem, tasks: &[Task]) -> Option<Vec<EpisodeResult>> {

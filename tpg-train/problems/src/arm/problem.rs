@@ -126,13 +126,13 @@ pub(super) fn on_the_arm(ticks: [i16; JOINTS]) -> bool {
 }
 
 /// The measure of an episode: distance from the hand to the target at its end.
-pub const DISTANCE: Measure = Measure { name: "distance", unit: "mm" };
+pub(crate) const DISTANCE: Measure = Measure { name: "distance", unit: "mm" };
 
 /// Names of the outcomes, as counted by `eval --json`.
-pub const OUTCOMES: [&str; 7] = ["reached", "cycle", "stop", "joint_limit", "table", "base", "timeout"];
+pub(crate) const OUTCOMES: [&str; 7] = ["reached", "cycle", "stop", "joint_limit", "table", "base", "timeout"];
 
 /// Returns the index of an outcome in [`OUTCOMES`].
-pub fn outcome_number(outcome: Outcome) -> u8 {
+pub(crate) fn outcome_number(outcome: Outcome) -> u8 {
     match outcome {
         Outcome::Reached => 0,
         Outcome::Cycle => 1,

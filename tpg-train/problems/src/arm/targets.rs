@@ -145,7 +145,7 @@ impl ReachableSpace {
     }
 
     /// Returns the number of cubes that the hand reaches.
-    pub fn cubes(&self) -> usize {
+    fn cubes(&self) -> usize {
         self.cubes.len() - 1
     }
 
@@ -169,7 +169,7 @@ impl ReachableSpace {
 
 /// True if nothing collides and neither hand nor forearm is inside the base (which the collision test misses because it
 /// checks only edges).
-pub fn stands_free(arm: &Arm<f64>, plane: &Plane<f64>) -> bool {
+pub(crate) fn stands_free(arm: &Arm<f64>, plane: &Plane<f64>) -> bool {
     let outside = || {
         let Clearance { hand, forearm } = Clearance::new(plane, &arm.shapes);
         hand > 0.0 && forearm > 0.0

@@ -9,7 +9,7 @@ use tpg_graph::error::Finding;
 /// The section `[problem]` for the arm among balls. Lengths in mm, times in steps.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
-pub struct Config {
+pub struct DodgeConfig {
     /// Minimum and maximum number of balls, 1 to 3; uniformly drawn.
     pub balls: [u8; 2],
     /// Minimum and maximum radius.
@@ -22,14 +22,14 @@ pub struct Config {
     pub effort: u16,
 }
 
-impl Default for Config {
+impl Default for DodgeConfig {
     fn default() -> Self {
         let DodgerSettings { effort, .. } = DodgerSettings::DEFAULT;
         Self { balls: [1, 3], radius: [30.0, 60.0], speed: [0.3, 2.0], tolerance: 3.0, effort }
     }
 }
 
-impl Config {
+impl DodgeConfig {
     /// Checks every value.
     ///
     /// # Errors

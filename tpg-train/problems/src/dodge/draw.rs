@@ -1,7 +1,7 @@
 //! The generator of scenes: every one is solvable, and a plan proves it.
 
 use super::BODY;
-use super::config::Config;
+use super::config::DodgeConfig;
 pub use super::scene::SEED;
 use super::scene::{Path, Scene};
 use super::walk::{self, Leg, candidate, follow};
@@ -52,12 +52,12 @@ pub struct Certified {
 #[derive(Clone, Debug)]
 pub struct Generator {
     space: Arc<ReachableSpace>,
-    config: Config,
+    config: DodgeConfig,
 }
 
 impl Generator {
     /// Prepares the scenes of a set; `seed` samples the reachable space.
-    pub fn new(config: &Config, seed: u64, set: Set) -> Self {
+    pub fn new(config: &DodgeConfig, seed: u64, set: Set) -> Self {
         Self { space: ReachableSpace::shared(&WIDOWX, seed, set), config: config.clone() }
     }
 
@@ -177,7 +177,7 @@ pub fn replay(scene: &Scene, legs: &[Leg], margin: f32) -> Option<u32> {
 }
 
 /// Draws the scenes of a set: the first `count` of it, with a certificate found in at most `tries` tries.
-pub fn scenes(config: &Config, seed: u64, set: Set, count: usize, tries: u32) -> Vec<Certified> {
+pub fn scenes(config: &DodgeConfig, seed: u64, set: Set, count: usize, tries: u32) -> Vec<Certified> {
     let generator = Generator::new(config, seed, set);
     let stream = |index| Stream::new(seed, (set as u64) << 8 | 77, Purpose::Task, index);
     (0..count as u64).map(|index| generator.draw(&mut stream(index), tries)).collect()

@@ -1,13 +1,13 @@
 //! The arm among balls as an [`Environment`].
 
 use super::BODY;
-use super::config::Config;
+use super::config::DodgeConfig;
 use super::draw::{Generator, LIMIT, SEED, TRIES, scenes};
 use super::episode::{self, Episode, OUTCOMES};
 use super::scene::Scene;
 use crate::arm::drawing;
 use crate::arm::targets::Set;
-use tpg_arm::dodge::{Behaviour, Dodger, Source};
+use tpg_arm::dodge::{Behaviour, DodgeSource, Dodger};
 use tpg_engine::random::Stream;
 use tpg_engine::{Act, ActionSpace, End, Environment, Measure, Preference, SourceSet, Step, TaskSet, Training};
 use tpg_graph::SourceDocument;
@@ -23,7 +23,7 @@ const FAR: f64 = 0.05;
 /// The environment.
 #[derive(Clone, Debug)]
 pub struct Dodge {
-    config: Config,
+    config: DodgeConfig,
 }
 
 /// A running episode: the rules' part, and what the controller remembers.
@@ -35,7 +35,7 @@ pub struct DodgeEpisode {
 
 impl Dodge {
     /// Creates the environment; the settings have been checked.
-    pub fn new(config: &Config) -> Self {
+    pub fn new(config: &DodgeConfig) -> Self {
         Self { config: config.clone() }
     }
 }
@@ -45,7 +45,7 @@ impl<S: Scalar> Environment<S> for Dodge {
     type Episode = DodgeEpisode;
 
     fn sources(&self) -> Vec<SourceDocument> {
-        Source::ALL.into_iter().map(document).collect()
+        DodgeSource::ALL.into_iter().map(document).collect()
     }
 
     fn actions(&self) -> ActionSpace {
@@ -126,7 +126,7 @@ impl Training<Scene> for Dodge {
     }
 }
 
-fn document(source: Source) -> SourceDocument {
+fn document(source: DodgeSource) -> SourceDocument {
     let ranges = source.ranges().iter().map(|&[low, high]| [low.into(), high.into()]).collect::<Vec<[f64; 2]>>();
     SourceDocument::new(source.name(), source.unit(), ranges)
 }

@@ -10,7 +10,7 @@ use tpg_arm::kinematics::{Vector, distance};
 use tpg_arm::{Move, Pose};
 
 /// Names of the ways in which an episode ends.
-pub const OUTCOMES: [&str; 3] = ["reached", "hit", "timeout"];
+pub(crate) const OUTCOMES: [&str; 3] = ["reached", "hit", "timeout"];
 
 /// An episode that goes on.
 #[derive(Clone, Debug)]

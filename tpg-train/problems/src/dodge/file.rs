@@ -96,13 +96,13 @@ fn leg(text: &str) -> Result<Leg, RowRefusal> {
 mod tests {
     use super::{parse_csv, to_csv};
     use crate::arm::targets::Set;
-    use crate::dodge::Config;
+    use crate::dodge::DodgeConfig;
     use crate::dodge::draw::scenes;
     use tpg_graph::error::Place;
 
     #[test]
     fn csv_gives_back_the_same_scenes() {
-        let list = scenes(&Config::default(), 7, Set::Training, 8, 1500);
+        let list = scenes(&DodgeConfig::default(), 7, Set::Training, 8, 1500);
         assert_eq!(parse_csv("scenes.csv", &to_csv(&list)), Ok(list));
     }
 

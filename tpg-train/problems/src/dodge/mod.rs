@@ -18,7 +18,7 @@ pub mod file;
 pub mod scene;
 pub mod walk;
 
-pub use config::Config;
+pub use config::DodgeConfig;
 pub use environment::Dodge;
 
 use tpg_arm::WIDOWX;

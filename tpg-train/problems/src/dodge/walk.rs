@@ -98,7 +98,7 @@ pub fn candidate(index: usize, from: Pose, goals: &[Pose], random: &mut Stream) 
 
 /// Returns every pose that solves a task, the one that takes fewest steps first: inverse kinematics for 144 pitches,
 /// within 2.7 mm of the target, clear of table and base.
-pub fn solutions(target: Vector<f32>, start: [i16; JOINTS]) -> Vec<Pose> {
+pub(crate) fn solutions(target: Vector<f32>, start: [i16; JOINTS]) -> Vec<Pose> {
     let free = |pose: Pose| {
         let posture = BODY.at(pose);
         let Clearance { hand, forearm } = Clearance::new(&posture.plane(), &BODY.arm.shapes);
@@ -112,7 +112,7 @@ pub fn solutions(target: Vector<f32>, start: [i16; JOINTS]) -> Vec<Pose> {
 
 /// Returns at most [`GOALS`] goals: the first, then whichever solution is furthest from those chosen, among those that take
 /// at most 100 steps more than the first.
-pub fn stances(start: Pose, first: Pose, solutions: &[Pose]) -> Vec<Pose> {
+pub(crate) fn stances(start: Pose, first: Pose, solutions: &[Pose]) -> Vec<Pose> {
     let near = steps(start, first) + 100;
     let candidates: Vec<Pose> = solutions.iter().copied().filter(|&pose| steps(start, pose) <= near).collect();
     let mut chosen = vec![first];

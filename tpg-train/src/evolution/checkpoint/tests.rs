@@ -74,7 +74,7 @@ fn a_real_state_of_an_arm_is_accepted() {
     let mut small = config;
     (small.learning.nb_iterations_per_policy_evaluation, small.learning.nb_generations) = (3, 2);
     (small.tpg.nb_roots, small.tpg.init_nb_roots) = (12, 12);
-    let environment: ArmEnvironment<f32> = arm::Config::default().environment(Start::Rs);
+    let environment: ArmEnvironment<f32> = arm::ArmConfig::default().environment(Start::Rs);
     let content = content(&small, &environment).to_string();
     let read = from_bytes("x", content.as_bytes(), &small, 1, &environment);
     assert!(read.is_ok(), "{:?}", read.err());

@@ -9,7 +9,7 @@ use std::fmt;
 pub(super) type Table<T> = IndexMap<u32, T>;
 
 /// Adds a node, whose number no other may have.
-pub(super) fn add<T>(table: &mut Table<T>, node: Node, item: T) -> Result<(), Fault> {
+pub(super) fn add<T>(table: &mut Table<T>, node: DotNode, item: T) -> Result<(), Fault> {
     if table.insert(node.number, item).is_some() {
         let accepted = format!("a number that no other {} has", node.kind.letter());
         return refuse(format!("{node} a second time"), accepted);
@@ -17,16 +17,16 @@ pub(super) fn add<T>(table: &mut Table<T>, node: Node, item: T) -> Result<(), Fa
     Ok(())
 }
 
-/// Node of a program.
+/// DotNode of a program.
 #[derive(Debug)]
-pub(super) struct Program {
+pub(super) struct DeclaredProgram {
     pub(super) line: usize,
     pub(super) constants: Vec<f64>,
 }
 
-/// Node that holds a program's lines; some files of GEGELATI 2 have its constants here.
+/// DotNode that holds a program's lines; some files of GEGELATI 2 have its constants here.
 #[derive(Debug)]
-pub(super) struct Lines {
+pub(super) struct DeclaredLines {
     pub(super) line: usize,
     pub(super) lines: Vec<ProgramLine>,
     pub(super) constants: Vec<f64>,
@@ -54,9 +54,9 @@ pub(super) struct OperandText {
     pub(super) location: u64,
 }
 
-/// Node of an action.
+/// DotNode of an action.
 #[derive(Debug)]
-pub(super) struct Action {
+pub(super) struct DeclaredAction {
     pub(super) line: usize,
     /// The action, or what its programs compute: `0-2`.
     pub(super) labels: Vec<u32>,
@@ -70,14 +70,14 @@ pub(super) struct DeclaredEdge {
     pub(super) line: usize,
     pub(super) team: u32,
     pub(super) program: u32,
-    pub(super) to: Option<Node>,
+    pub(super) to: Option<DotNode>,
 }
 
 /// The statement that names the roots.
 #[derive(Debug)]
 pub(super) struct Rank {
     pub(super) line: usize,
-    pub(super) roots: Vec<Node>,
+    pub(super) roots: Vec<DotNode>,
 }
 
 /// Everything that a file declares.
@@ -87,9 +87,9 @@ pub(super) struct Declared {
     pub(super) exporter: Option<(String, String)>,
     /// The line of each team.
     pub(super) teams: Table<usize>,
-    pub(super) programs: Table<Program>,
-    pub(super) lines: Table<Lines>,
-    pub(super) actions: Table<Action>,
+    pub(super) programs: Table<DeclaredProgram>,
+    pub(super) lines: Table<DeclaredLines>,
+    pub(super) actions: Table<DeclaredAction>,
     /// Programs that links name, each with the line. Links are redundant, but the programs must exist.
     pub(super) links: Vec<(usize, u32)>,
     pub(super) edges: Vec<DeclaredEdge>,
@@ -100,14 +100,14 @@ pub(super) struct Declared {
 
 /// A kind of node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum NodeKind {
     Team,
     Program,
     Lines,
     Action,
 }
 
-impl Kind {
+impl NodeKind {
     pub(super) const ALL: [Self; 4] = [Self::Team, Self::Program, Self::Lines, Self::Action];
 
     pub(super) fn letter(self) -> char {
@@ -122,12 +122,12 @@ impl Kind {
 
 /// The name of a node: `T12`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Node {
-    pub(super) kind: Kind,
+pub(super) struct DotNode {
+    pub(super) kind: NodeKind,
     pub(super) number: u32,
 }
 
-impl fmt::Display for Node {
+impl fmt::Display for DotNode {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}{}", self.kind.letter(), self.number)
     }

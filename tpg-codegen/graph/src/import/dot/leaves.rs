@@ -3,7 +3,7 @@
 //! GEGELATI takes a value from register 0 or from another one, and squashes it. Here a value is register 0 of a program, so
 //! a program that leaves it elsewhere, or whose value is squashed, gets a copy with lines that follow.
 
-use super::declared::Action;
+use super::declared::DeclaredAction;
 use super::resolve::{Bases, Resolver};
 use crate::Word;
 use crate::error::{InputError, counted};
@@ -59,8 +59,8 @@ impl LeafBuilder<'_, '_> {
         Ok(leaves)
     }
 
-    fn of_action(&mut self, node: u32, action: &Action) -> Result<Vec<u32>, InputError> {
-        let Action { line, labels, programs } = action;
+    fn of_action(&mut self, node: u32, action: &DeclaredAction) -> Result<Vec<u32>, InputError> {
+        let DeclaredAction { line, labels, programs } = action;
         let count = programs.len();
         let refused = |found: String, accepted: String| self.resolver.refuse(*line, found, accepted);
         if self.resolver.sidecar.values() == Values::Registers {
@@ -105,7 +105,7 @@ impl LeafBuilder<'_, '_> {
         for edge in teams.iter_mut().flat_map(|team| &mut team.edges) {
             let Some(node) = edge.leaf else { continue };
             let action = self.resolver.declared.actions.get(&node);
-            if let Some(Action { line, programs, .. }) = action.filter(|action| !action.programs.is_empty()) {
+            if let Some(DeclaredAction { line, programs, .. }) = action.filter(|action| !action.programs.is_empty()) {
                 let found = format!("A{node} with {}", counted(programs.len(), "program"));
                 let accepted = "actions without programs, or another field \"values\" in the sidecar";
                 return self.resolver.refuse(*line, found, accepted);

@@ -1,6 +1,8 @@
 //! From text to what it declares, one line at a time.
 
-use super::declared::{Action, Declared, DeclaredEdge, Kind, Lines, Node, Program, Rank, add};
+use super::declared::{
+    Declared, DeclaredAction, DeclaredEdge, DeclaredLines, DeclaredProgram, DotNode, NodeKind, Rank, add,
+};
 use super::fault::{Fault, refuse};
 use super::label;
 use super::lexer::{self, Token, quote};
@@ -92,22 +94,22 @@ fn inside(declared: &mut Declared, line: usize, content: &str, tokens: &[Token<'
         return Ok(());
     }
     let path = path(head)?.ok_or_else(unknown)?;
-    let kinds: Vec<Kind> = path.iter().map(|node| node.kind).collect();
+    let kinds: Vec<NodeKind> = path.iter().map(|node| node.kind).collect();
     match (kinds.as_slice(), path.as_slice()) {
-        ([Kind::Team], &[team]) => add(&mut declared.teams, team, line)?,
-        ([Kind::Program], &[program]) => {
+        ([NodeKind::Team], &[team]) => add(&mut declared.teams, team, line)?,
+        ([NodeKind::Program], &[program]) => {
             if let Some(label) = label.filter(|label| !["0", "1"].contains(label)) {
                 let accepted = "no label, \"0\" for a program that bids, \"1\" for one of an action";
                 return refuse(format!("{program} with the label {label:?}"), accepted);
             }
             let constants = label::constants(comment)?;
-            add(&mut declared.programs, program, Program { line, constants })?;
+            add(&mut declared.programs, program, DeclaredProgram { line, constants })?;
         }
-        ([Kind::Lines], &[node]) => {
+        ([NodeKind::Lines], &[node]) => {
             let lines = label::lines(label.ok_or_else(|| without_label(node))?)?;
-            add(&mut declared.lines, node, Lines { line, lines, constants: label::constants(comment)? })?;
+            add(&mut declared.lines, node, DeclaredLines { line, lines, constants: label::constants(comment)? })?;
         }
-        ([Kind::Action], &[node]) => {
+        ([NodeKind::Action], &[node]) => {
             let label = label.ok_or_else(|| without_label(node))?;
             let labels: Vec<u32> = label.split('-').map(label::number).collect::<Option<_>>().ok_or_else(|| {
                 let accepted =
@@ -116,26 +118,26 @@ fn inside(declared: &mut Declared, line: usize, content: &str, tokens: &[Token<'
             })?;
             // GEGELATI 2 repeats an action's node before each edge to it.
             if declared.actions.get(&node.number).is_none_or(|known| known.labels != labels) {
-                let action = Action { line, labels, programs: Vec::new() };
+                let action = DeclaredAction { line, labels, programs: Vec::new() };
                 add(&mut declared.actions, node, action)?;
             }
         }
-        ([Kind::Action, Kind::Program], &[node, program]) => {
+        ([NodeKind::Action, NodeKind::Program], &[node, program]) => {
             let accepted = || Fault::new(format!("{node}, which no line before declares"), "an action's node");
             declared.actions.get_mut(&node.number).ok_or_else(accepted)?.programs.push(program.number);
             declared.links.push((line, program.number));
         }
-        ([Kind::Program, Kind::Lines], &[program, lines]) => {
+        ([NodeKind::Program, NodeKind::Lines], &[program, lines]) => {
             if program.number != lines.number {
                 let accepted = format!("{program} -> I{}: a program's lines have its number", program.number);
                 return refuse(format!("{program} -> {lines}"), accepted);
             }
             declared.links.push((line, program.number));
         }
-        ([Kind::Team, Kind::Program], &[team, program]) => {
+        ([NodeKind::Team, NodeKind::Program], &[team, program]) => {
             declared.edges.push(DeclaredEdge { line, team: team.number, program: program.number, to: None });
         }
-        ([Kind::Team, Kind::Program, Kind::Team | Kind::Action], &[team, program, to]) => {
+        ([NodeKind::Team, NodeKind::Program, NodeKind::Team | NodeKind::Action], &[team, program, to]) => {
             declared.edges.push(DeclaredEdge { line, team: team.number, program: program.number, to: Some(to) });
         }
         _ => return Err(unknown()),
@@ -143,12 +145,12 @@ fn inside(declared: &mut Declared, line: usize, content: &str, tokens: &[Token<'
     Ok(())
 }
 
-fn without_label(node: Node) -> Fault {
+fn without_label(node: DotNode) -> Fault {
     Fault::new(format!("{node} without a label"), format!("`{node} [… label=\"…\"]`"))
 }
 
 /// Parses nodes joined by arrows; `None` for anything else.
-fn path(tokens: &[Token<'_>]) -> Result<Option<Vec<Node>>, Fault> {
+fn path(tokens: &[Token<'_>]) -> Result<Option<Vec<DotNode>>, Fault> {
     let mut nodes = Vec::new();
     for (place, token) in tokens.iter().enumerate() {
         match node(token)? {
@@ -161,9 +163,9 @@ fn path(tokens: &[Token<'_>]) -> Result<Option<Vec<Node>>, Fault> {
 }
 
 /// Parses a node name such as `T12`; `None` if the token is not a node name.
-fn node(token: &Token<'_>) -> Result<Option<Node>, Fault> {
+fn node(token: &Token<'_>) -> Result<Option<DotNode>, Fault> {
     let Word(word) = *token else { return Ok(None) };
-    let Some(kind) = Kind::ALL.into_iter().find(|kind| word.starts_with(kind.letter())) else { return Ok(None) };
+    let Some(kind) = NodeKind::ALL.into_iter().find(|kind| word.starts_with(kind.letter())) else { return Ok(None) };
     let number = &word[1..];
     if number.is_empty() || !number.bytes().all(|byte| byte.is_ascii_digit()) {
         return Ok(None);
@@ -171,7 +173,7 @@ fn node(token: &Token<'_>) -> Result<Option<Node>, Fault> {
     let number = number
         .parse()
         .map_err(|_| Fault::new(format!("the number of {}", quote(word)), format!("0 to {}", u32::MAX)))?;
-    Ok(Some(Node { kind, number }))
+    Ok(Some(DotNode { kind, number }))
 }
 
 /// Returns the label from attributes `[name=value …]`, which may be absent. The other attributes only affect drawing.

@@ -1,6 +1,6 @@
 //! Translation of statements to a document: numbers of the file become names and ids.
 
-use super::declared::{Action, Declared, DeclaredEdge, Kind, Node};
+use super::declared::{Declared, DeclaredAction, DeclaredEdge, DotNode, NodeKind};
 use super::fault::Fault;
 use super::leaves;
 use super::program::Meaning;
@@ -107,12 +107,12 @@ impl Resolver<'_> {
         Ok(teams)
     }
 
-    fn edge(&self, line: usize, program: u32, to: Node) -> Result<EdgeDocument, InputError> {
+    fn edge(&self, line: usize, program: u32, to: DotNode) -> Result<EdgeDocument, InputError> {
         let edge = EdgeDocument { program, ..EdgeDocument::default() };
-        if to.kind == Kind::Team {
+        if to.kind == NodeKind::Team {
             return Ok(EdgeDocument { team: Some(to.number), ..edge });
         }
-        let Some(Action { labels, programs, line, .. }) = self.declared.actions.get(&to.number) else {
+        let Some(DeclaredAction { labels, programs, line, .. }) = self.declared.actions.get(&to.number) else {
             return self.refuse(line, format!("{to}, which does not exist"), "an action that the file declares");
         };
         match labels.as_slice() {
@@ -167,14 +167,14 @@ impl Resolver<'_> {
             return Ok(free.or(teams.first()).map(|team| team.id));
         };
         match *rank.roots.as_slice() {
-            [Node { kind: Kind::Team, number }] => Ok(Some(number)),
-            [Node { kind: Kind::Action, number }]
+            [DotNode { kind: NodeKind::Team, number }] => Ok(Some(number)),
+            [DotNode { kind: NodeKind::Action, number }]
                 if teams.is_empty() && self.declared.actions.contains_key(&number) =>
             {
                 Ok(None)
             }
             ref roots => {
-                let names: Vec<String> = roots.iter().map(Node::to_string).collect();
+                let names: Vec<String> = roots.iter().map(DotNode::to_string).collect();
                 let found = if names.is_empty() {
                     "no root".to_owned()
                 } else {

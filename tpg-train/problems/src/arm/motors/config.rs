@@ -12,7 +12,7 @@ use tpg_graph::error::Finding;
 /// The section `[problem]` for the arm by its motors: inputs, decision, rules and reward of training.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
-pub struct Config {
+pub struct MotorsConfig {
     /// Moves of a motor: "fine" or "coarse".
     #[serde(with = "actions_name")]
     #[schemars(with = "String")]
@@ -72,12 +72,12 @@ pub struct Reward {
 
 impl Reward {
     /// True if the reward knows poses that solve the task.
-    pub fn knows_goals(&self) -> bool {
+    pub(crate) fn knows_goals(&self) -> bool {
         self.steps_to_goal != 0.0
     }
 }
 
-impl Default for Config {
+impl Default for MotorsConfig {
     /// The project's own: features, fine actions, a reward that knows solving poses.
     fn default() -> Self {
         Self {
@@ -106,7 +106,7 @@ impl Default for Config {
     }
 }
 
-impl Config {
+impl MotorsConfig {
     /// Checks ranges and contradictions.
     ///
     /// # Errors

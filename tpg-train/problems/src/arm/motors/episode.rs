@@ -1,7 +1,7 @@
 //! An episode under either rules: those of training, with a shaped reward, repeated actions and a cut that is no failure; those of
 //! tests, with single steps, an end for every failure and the paper's score.
 
-use super::Config;
+use super::MotorsConfig;
 use crate::arm::ik;
 use crate::arm::problem::{ArmProblem, outcome_number};
 use crate::arm::targets::{Start, Task};
@@ -49,7 +49,7 @@ struct Shaping {
 
 impl MotorsEpisode {
     /// Begins an episode of training.
-    pub(super) fn training(config: &Config, arm: &Arm<f32>, task: &Task) -> Self {
+    pub(super) fn training(config: &MotorsConfig, arm: &Arm<f32>, task: &Task) -> Self {
         let goals = if config.reward.knows_goals() { ik::goals(&config.arm(), task.target) } else { Vec::new() };
         let goals: Vec<[i16; JOINTS]> = goals.into_iter().map(|pose| pose.0).collect();
         let steps_to_goal = steps_to_goal(task.start, &goals);
@@ -77,7 +77,7 @@ impl MotorsEpisode {
     }
 
     /// Takes one action.
-    pub(super) fn step(&mut self, config: &Config, arm: &Arm<f32>, decide: impl Fn(Pose) -> Move) -> Step {
+    pub(super) fn step(&mut self, config: &MotorsConfig, arm: &Arm<f32>, decide: impl Fn(Pose) -> Move) -> Step {
         match &mut self.rules {
             Judge::Training(shaping) => shaping.step(&mut self.course, config, arm, decide),
             Judge::Test(rules, detector) => tested(&mut self.course, rules, detector, arm, decide),
@@ -127,7 +127,13 @@ fn tested(
 
 impl Shaping {
     /// Takes one action of training: a step that is decided anew in every pose, repeated far from the target.
-    fn step(&mut self, course: &mut Course, config: &Config, arm: &Arm<f32>, decide: impl Fn(Pose) -> Move) -> Step {
+    fn step(
+        &mut self,
+        course: &mut Course,
+        config: &MotorsConfig,
+        arm: &Arm<f32>,
+        decide: impl Fn(Pose) -> Move,
+    ) -> Step {
         let reward = &config.reward;
         let repeats = ((course.distance / config.repeat_per_mm) as u32).clamp(1, config.repeat_most);
         let (distance_before, to_goal_before) = (course.distance, self.steps_to_goal);

@@ -9,7 +9,7 @@
 pub mod config;
 mod episode;
 
-pub use config::{Config, Reward};
+pub use config::{MotorsConfig, Reward};
 pub use episode::MotorsEpisode;
 
 use super::problem::{ArmProblem, DISTANCE, OUTCOMES, on_the_arm};
@@ -23,7 +23,7 @@ use tpg_engine::{Act, ActionSpace, Environment, Measure, Output, Preference, Sou
 use tpg_graph::SourceDocument;
 
 /// The names of the motors, in order.
-pub const MOTORS: [&str; JOINTS] = ["base", "shoulder", "elbow", "wrist"];
+const MOTORS: [&str; JOINTS] = ["base", "shoulder", "elbow", "wrist"];
 
 /// Returns the sources of networks: one for each input.
 pub(super) fn sources() -> Vec<SourceDocument> {
@@ -44,7 +44,7 @@ pub(super) fn outputs() -> Vec<Output> {
 #[derive(Clone, Debug)]
 pub struct Motors {
     start: Start,
-    config: Config,
+    config: MotorsConfig,
     /// In the precision that actors run in.
     arm: Arm<f32>,
     description: Arm<f64>,
@@ -77,14 +77,14 @@ pub enum Rules {
 
 impl Motors {
     /// The problem of that start. The space that tasks are drawn from, and the validation tasks, depend on `seed`.
-    pub fn new(start: Start, config: Config, seed: u64) -> Self {
+    pub fn new(start: Start, config: MotorsConfig, seed: u64) -> Self {
         let description = config.arm();
         Self { start, arm: description.to_f32(), description, decision: config.decision(), config, seed, tests: None }
     }
 
     /// Returns the same problem with other rules of tests.
     #[must_use]
-    pub fn with_tests(self, tests: ArmProblem) -> Self {
+    pub(crate) fn with_tests(self, tests: ArmProblem) -> Self {
         Self { tests: Some(tests), ..self }
     }
 
@@ -93,7 +93,7 @@ impl Motors {
     }
 
     /// The settings.
-    pub fn config(&self) -> &Config {
+    pub fn config(&self) -> &MotorsConfig {
         &self.config
     }
 

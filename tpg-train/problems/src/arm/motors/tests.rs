@@ -1,6 +1,6 @@
 //! Tests of the arm by its motors.
 
-use super::{Config, Motors, MotorsTask, Reward, Rules};
+use super::{Motors, MotorsConfig, MotorsTask, Reward, Rules};
 use crate::arm::arms::NamedArm;
 use crate::arm::targets::{Set, Start, tasks};
 use tpg_arm::sac::{Actions, Mask};
@@ -12,8 +12,14 @@ fn tasks_of(motors: &Motors, count: usize) -> Vec<MotorsTask> {
     tpg_engine::tasks(motors, TaskSet::Validation, 0, count)
 }
 
-fn coarse() -> Config {
-    Config { actions: Actions::Coarse, mask: Mask::None, may_rest: true, repeat_most: 1, ..Config::default() }
+fn coarse() -> MotorsConfig {
+    MotorsConfig {
+        actions: Actions::Coarse,
+        mask: Mask::None,
+        may_rest: true,
+        repeat_most: 1,
+        ..MotorsConfig::default()
+    }
 }
 
 #[test]
@@ -31,7 +37,7 @@ fn training_and_tests_move_by_three() {
 
 #[test]
 fn a_cut_is_truncated_and_an_invalid_step_is_not() {
-    let config = Config { max_steps: 4, ..coarse() };
+    let config = MotorsConfig { max_steps: 4, ..coarse() };
     let motors = Motors::new(Start::Fs, config, 1);
     let task = motors.draw(&mut Stream::new(1, 0, Purpose::Test, 0));
     let mut episode = motors.start(&task);
@@ -61,7 +67,7 @@ fn azimuth_pays_for_the_way_of_the_base_that_its_range_allows() {
             success: 0.0,
             invalid: 0.0,
         };
-        Motors::new(Start::Rs, Config { reward: Reward { azimuth, distance, ..nothing }, ..coarse() }, 1)
+        Motors::new(Start::Rs, MotorsConfig { reward: Reward { azimuth, distance, ..nothing }, ..coarse() }, 1)
     };
     let earned =
         |motors: &Motors, base| motors.step(&mut motors.start(&task), Act::Values(&[base, 0.0, 0.0, 0.0])).reward;
@@ -83,7 +89,7 @@ fn rest_ends_a_test() {
 
 #[test]
 fn evaluation_tasks_have_both_starts_and_training_goes_on_from_where_one_is() {
-    let motors = Motors::new(Start::Rs, Config::default(), 7);
+    let motors = Motors::new(Start::Rs, MotorsConfig::default(), 7);
     let tasks = motors.evaluation_tasks(&mut Stream::new(7, 1, Purpose::Test, 0), 8).expect("its own");
     let count = |start| tasks.iter().filter(|task| task.rules == Rules::Test(start)).count();
     assert_eq!((count(Start::Rs), count(Start::Fs)), (6, 2));
@@ -102,7 +108,7 @@ fn evaluation_tasks_have_both_starts_and_training_goes_on_from_where_one_is() {
 #[test]
 fn another_arm_brings_its_own_tasks_limits_and_rules() {
     let arm = NamedArm::find("so101").map(NamedArm::description);
-    let config = Config { arm, test_tolerance: Some(10.0), backlash: 6, ..coarse() };
+    let config = MotorsConfig { arm, test_tolerance: Some(10.0), backlash: 6, ..coarse() };
     assert_eq!((config.check(), config.tests(Start::Rs).tolerance), (Ok(()), 10.0));
     let motors = Motors::new(Start::Rs, config, 1);
     let so101 = motors.config().arm();
@@ -119,7 +125,7 @@ fn another_arm_brings_its_own_tasks_limits_and_rules() {
     let motors_rest = |motors: &Motors| {
         motors.step(&mut motors.start(&task), Act::Values(&[0.0; 4])).end.expect("rest ends a test").measure
     };
-    let rigid = Motors::new(Start::Rs, Config { backlash: 0, ..motors.config().clone() }, 1);
+    let rigid = Motors::new(Start::Rs, MotorsConfig { backlash: 0, ..motors.config().clone() }, 1);
     let apart = (motors_rest(&motors) - motors_rest(&rigid)).abs();
     assert!(apart > 0.0 && apart < 15.0, "{apart} mm");
 }
