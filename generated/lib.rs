@@ -36,6 +36,8 @@ pub mod cartpole;
 pub mod dodge;
 #[path = "eye/eye.rs"]
 pub mod eye;
+#[path = "half-cheetah/half_cheetah.rs"]
+pub mod half_cheetah;
 #[path = "hopper/hopper.rs"]
 pub mod hopper;
 #[path = "inverted-double-pendulum/inverted_double_pendulum.rs"]

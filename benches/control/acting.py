@@ -133,6 +133,7 @@ SCENES: list[tuple[str, str, Callable[[Any], list[Shape]], Callable[[Any], Shape
     ("swimmer", "Swimmer-v5", capsules, None, 15, 8),
     ("bipedal-walker", "BipedalWalker-v3", bodies, track, 48, 4),
     ("hopper", "Hopper-v5", capsules, floor, 14, 12),
+    ("half-cheetah", "HalfCheetah-v5", capsules, floor, 14, 8),
 ]
 
 

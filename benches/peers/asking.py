@@ -5,7 +5,7 @@
     peers/bin/python benches/peers/asking.py [--only digits]
 
 Accuracy is that of all samples in a stratified 5-fold cross-validation, with its 95 % interval (Wilson); instructions are the mean of
-a decision, all unseen samples of the first fold counted by QEMU's user mode in C compiled for a Cortex-M4F with -Os. Networks have
+a decision, over the unseen samples of all folds, counted by QEMU's user mode in C compiled for a Cortex-M4F with -Os. Networks have
 weights of 8 bits. The cascade answers by the small network where its two highest outputs are apart, in floats, which cost nothing
 here; its margin is chosen as the graph's. Prints a table in Markdown.
 """
@@ -27,7 +27,7 @@ from sklearn.preprocessing import StandardScaler
 
 from tpg_train import TPGClassifier
 
-PRICES = (0.1, 0.03, 0.01)
+PRICES = (0.1, 0.03)
 UNITS = (8, 64)
 # emlearn lets numpy raise where a weight of a network is subnormal.
 np.seterr(under="ignore")
@@ -144,21 +144,22 @@ def instructions(folder: Path, header: str, kind: str, function: str, samples: A
     return (counts[1] - counts[0]) / len(samples)
 
 
-def cost(model: Asking, prefix: str, samples: Any) -> float:
-    """Returns the mean instructions of the graph (`policy`), of its network (`policy_network`) or of both (`policy_decide`)."""
-    with tempfile.TemporaryDirectory() as temporary:
-        folder = Path(temporary)
-        model.model.model_.export_c(folder, prefix="policy", network=model.model.network_)
-        if prefix == "policy_decide":
-            return instructions(folder, "policy_decide.h", "policy_state_t", prefix, samples)
-        return instructions(folder, f"{prefix}.h", f"{prefix}_state_t", f"{prefix}_infer", samples)
+def cost(problem: Problem, models: list[TPGClassifier], function: str) -> float:
+    """Returns the mean instructions of the graphs (`policy_infer`), their networks (`policy_network_infer`) or both (`policy_decide`)."""
+    header = function.removesuffix("_infer")
+    state = "policy_state_t" if function == "policy_decide" else f"{header}_state_t"
+    counts = []
+    for model, (_, test) in zip(models, problem.folds, strict=True):
+        with tempfile.TemporaryDirectory() as temporary:
+            model.model_.export_c(temporary, prefix="policy", network=getattr(model, "network_", None))
+            counts.append(instructions(Path(temporary), f"{header}.h", state, function, problem.samples[test]))
+    return float(np.mean(counts))
 
 
 def main() -> None:
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("--only", choices=DATA, default="digits")
     problem = Problem.of(arguments.parse_args().only)
-    unseen = problem.samples[problem.folds[0][1]]
     count = len(problem.classes)
     print("| classifier | accuracy, % | network asked, % | instructions, M4F |")
     print("| --- | --- | --- | --- |")
@@ -167,40 +168,27 @@ def main() -> None:
         share = "" if asked is None else f"{100 * asked:.1f}"
         print(f"| {name} | {wilson(right, count)} | {share} | {mean:,.0f} |", flush=True)
 
+    def share(models: list[Any]) -> float:
+        pairs = zip(models, problem.folds, strict=True)
+        return float(np.mean([model.asked(problem.samples[test]) for model, (_, test) in pairs]))
+
+    def fitted(price: float, units: int) -> list[Asking]:
+        return problem.models(lambda samples, classes: Asking(price, units).fit(samples, classes))
+
     alone = problem.models(lambda samples, classes: TPGClassifier(random_state=1).fit(samples, classes))
-    models = {
-        units: problem.models(lambda samples, classes, units=units: Asking(PRICES[0], units).fit(samples, classes))
-        for units in UNITS
-    }
-    costs = {units: cost(models[units][0], "policy_network", unseen) for units in UNITS}
-    for units in UNITS:
-        row(
-            f"network of {units} units",
-            problem.right([Alone(one) for one in models[units]]),
-            None,
-            costs[units],
-        )
-    row("graph", problem.right(alone), None, cost(models[UNITS[1]][0], "policy", unseen))
-    for price in PRICES:
-        asking = problem.models(lambda samples, classes, price=price: Asking(price, UNITS[1]).fit(samples, classes))
-        asked = float(
-            np.mean([model.asked(problem.samples[test]) for model, (_, test) in zip(asking, problem.folds, strict=True)])
-        )
-        row(
-            f"graph that asks, price {price}",
-            problem.right(asking),
-            asked,
-            cost(asking[0], "policy_decide", unseen),
-        )
+    row("graph", problem.right(alone), None, cost(problem, alone, "policy_infer"))
+    asking = {price: fitted(price, UNITS[1]) for price in PRICES}
+    costs = []
+    for units, models in zip(UNITS, (fitted(PRICES[0], UNITS[0]), asking[PRICES[0]]), strict=True):
+        costs.append(cost(problem, [one.model for one in models], "policy_network_infer"))
+        row(f"network of {units} units", problem.right([Alone(one) for one in models]), None, costs[-1])
+    for price, models in asking.items():
+        mean = cost(problem, [one.model for one in models], "policy_decide")
+        row(f"graph that asks, price {price}", problem.right(models), share(models), mean)
     for price in PRICES:
         cascades = problem.models(lambda samples, classes, price=price: Cascade(price, samples, classes))
-        asked = float(np.mean([one.asked(problem.samples[test]) for one, (_, test) in zip(cascades, problem.folds, strict=True)]))
-        row(
-            f"cascade, price {price}",
-            problem.right(cascades),
-            asked,
-            costs[UNITS[0]] + asked * costs[UNITS[1]],
-        )
+        asked = share(cascades)
+        row(f"cascade, price {price}", problem.right(cascades), asked, costs[0] + asked * costs[1])
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ use tpg_generated::breakout::Breakout;
 use tpg_generated::cartpole::Cartpole;
 use tpg_generated::dodge::Dodge;
 use tpg_generated::eye::Eye;
+use tpg_generated::half_cheetah::HalfCheetah;
 use tpg_generated::hopper::Hopper;
 use tpg_generated::inverted_double_pendulum::InvertedDoublePendulum;
 use tpg_generated::lunar_lander::LunarLander;
@@ -205,6 +206,7 @@ fn compiled_policies_act_like_their_graphs() {
     acts_like(BipedalWalker, "bipedal-walker");
     acts_like(Breakout, "breakout");
     acts_like(Eye, "eye");
+    acts_like(HalfCheetah, "half-cheetah");
     acts_like(Hopper, "hopper");
     acts_like(InvertedDoublePendulum, "inverted-double-pendulum");
     acts_like(LunarLander, "lunar-lander");

@@ -105,6 +105,7 @@ fn a_self_test_notices_changed_constants() {
         ("acrobot", 100),
         ("bipedal-walker", 100),
         ("cartpole", 100),
+        ("half-cheetah", 100),
         ("hopper", 100),
         ("inverted-double-pendulum", 100),
         ("lunar-lander", 100),

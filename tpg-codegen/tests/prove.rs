@@ -19,7 +19,7 @@ use tpg_runtime::policy::ActionId;
 use tpg_testing::amount;
 
 /// The shipped graphs.
-const SHIPPED: [&str; 18] = [
+const SHIPPED: [&str; 19] = [
     "acrobot",
     "asterix",
     "bipedal-walker",
@@ -27,6 +27,7 @@ const SHIPPED: [&str; 18] = [
     "cartpole",
     "dodge",
     "eye",
+    "half-cheetah",
     "hopper",
     "inverted-double-pendulum",
     "lunar-lander",
@@ -102,7 +103,7 @@ fn shipped_policies_in_integers_are_proven() {
         for (bits, profile) in [(8, Profile::Fast), (8, Profile::Small), (16, Profile::Fast), (16, Profile::Small)] {
             let text = in_integers(name, bits);
             let files = c_of(&text, profile);
-            let is_dense = ["swimmer", "hopper", "bipedal-walker"].contains(&name) && profile == Profile::Small;
+            let is_dense = ["swimmer", "hopper", "half-cheetah", "bipedal-walker"].contains(&name) && profile == Profile::Small;
             assert_eq!(files[1].text.contains("policy_weights["), is_dense, "{name}: a table");
             let start = Instant::now();
             let proof = proof_of(&text, &files, Effort::default());

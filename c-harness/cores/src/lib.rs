@@ -9,6 +9,7 @@ use tpg_generated::acrobot::Acrobot;
 use tpg_generated::bipedal_walker::BipedalWalker;
 use tpg_generated::cartpole::Cartpole;
 use tpg_generated::dodge::Dodge;
+use tpg_generated::half_cheetah::HalfCheetah;
 use tpg_generated::hopper::Hopper;
 use tpg_generated::inverted_double_pendulum::InvertedDoublePendulum;
 use tpg_generated::lunar_lander::LunarLander;
@@ -55,6 +56,7 @@ exported! {
     rust_bipedal_walker BipedalWalker 24 4
     rust_cartpole Cartpole 4 1
     rust_dodge Dodge 17 1
+    rust_half_cheetah HalfCheetah 17 6
     rust_hopper Hopper 11 3
     rust_inverted_double_pendulum InvertedDoublePendulum 9 1
     rust_lunar_lander LunarLander 8 1

@@ -11,11 +11,12 @@ use tpg_prove::product::{Comparison, Effort};
 use tpg_prove::term::Terms;
 
 /// Policies that are proven in milliseconds.
-const SMALL: [&str; 12] = [
+const SMALL: [&str; 13] = [
     "acrobot",
     "bipedal-walker",
     "cartpole",
     "dodge",
+    "half-cheetah",
     "hopper",
     "inverted-double-pendulum",
     "lunar-lander",
