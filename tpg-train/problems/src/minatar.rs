@@ -1,15 +1,19 @@
 //! Games of MinAtar: images of ten by ten cells, each with a flag for every channel.
 //!
 //! The rules are those of the package `minatar` 1.0.15 with its sticky actions and rising difficulty; an episode here has at most
-//! 5,000 actions.
+//! 5,000 actions, or Freeway's 2,501.
 
 mod asterix;
 mod board;
 mod breakout;
+mod freeway;
+mod seaquest;
 mod space_invaders;
 
 pub(crate) use asterix::Asterix;
 pub(crate) use breakout::Breakout;
+pub(crate) use freeway::Freeway;
+pub(crate) use seaquest::Seaquest;
 pub(crate) use space_invaders::SpaceInvaders;
 
 use crate::sight::Sight;
@@ -23,8 +27,6 @@ use tpg_runtime::scalar::Scalar;
 
 /// The probability that the last move is made once more instead of the one that is chosen.
 const STICKY: f64 = 0.1;
-/// Actions of an episode.
-const ACTIONS: u32 = 5000;
 
 /// A game.
 pub(crate) trait Game: Clone + Send + Sync + 'static {
@@ -32,6 +34,8 @@ pub(crate) trait Game: Clone + Send + Sync + 'static {
     const CHANNELS: &'static [&'static str];
     /// The names of the actions, and the moves that they are.
     const MOVES: &'static [(&'static str, Move)];
+    /// Actions of an episode.
+    const ACTIONS: u32 = 5000;
 
     /// Begins a game.
     fn new(draws: &mut Draws) -> Self;
@@ -141,7 +145,7 @@ impl<S: Scalar, G: Game> Environment<S> for MinAtar<G> {
     }
 
     fn time_limit(&self) -> u32 {
-        ACTIONS
+        G::ACTIONS
     }
 
     fn draw(&self, stream: &mut Stream) -> u64 {
@@ -169,17 +173,20 @@ impl<S: Scalar, G: Game> Environment<S> for MinAtar<G> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Asterix, Breakout, Draws, Game, Outcome, Play, SpaceInvaders};
+    use super::{Asterix, Breakout, Draws, Freeway, Game, Outcome, Play, Seaquest, SpaceInvaders};
 
     /// Returns the number of episodes, the rewards, and a digest of 20,000 steps by random moves.
     fn played<G: Game>() -> (u32, u32, u64) {
         let mut seed = 7;
         let (mut choices, mut play) = (Draws { seed: seed ^ 0xABCD, drawn: 0 }, Play::<G>::new(seed));
         let (mut episodes, mut rewards, mut digest) = (0, 0, 0xCBF2_9CE4_8422_2325_u64);
+        let mut actions = 0;
         for _ in 0..20_000 {
             let choice = choices.below(G::MOVES.len());
             let Outcome { reward, is_over } = play.step(choice);
             rewards += reward;
+            actions += 1;
+            let is_over = is_over || actions == G::ACTIONS;
             let head = [choice as u128, reward.into(), is_over.into()];
             for word in head.into_iter().chain(play.game.boards()) {
                 let bytes = word.to_le_bytes();
@@ -189,6 +196,7 @@ mod tests {
             if is_over {
                 seed += 1;
                 episodes += 1;
+                actions = 0;
                 play = Play::new(seed);
             }
         }
@@ -201,5 +209,7 @@ mod tests {
         assert_eq!(played::<Breakout>(), (1957, 810, 0x991C_8C9C_CDE9_49F8));
         assert_eq!(played::<Asterix>(), (302, 153, 0x772F_5132_2391_A234));
         assert_eq!(played::<SpaceInvaders>(), (347, 1408, 0xB7CD_AE94_84D2_839B));
+        assert_eq!(played::<Freeway>(), (7, 4, 0x0DD4_6901_BD36_68BF));
+        assert_eq!(played::<Seaquest>(), (619, 60, 0x1BA6_5B22_032E_6033));
     }
 }
