@@ -1,6 +1,6 @@
 //! Seaquest: a submarine shoots fish and other submarines, rescues divers and surfaces for oxygen, among ever more enemies.
 
-use super::board::{Board, Draws, FIRST_COLUMN, LAST_COLUMN, SIDE, block, cell, is_inside};
+use super::board::{Board, Draws, FIRST_COLUMN, LAST_COLUMN, SIDE, cell, is_inside};
 use super::{Game, Move, Outcome};
 
 /// A game of Seaquest.
@@ -265,7 +265,7 @@ impl Game for Seaquest {
             let [row, column] = swimmer.place;
             trail | Swimmer { place: [row, column - swimmer.way], ..*swimmer }.cell()
         });
-        let bar = |from, to| block([SIDE - 1, SIDE], [from, to]);
+        let bar = |from: i32, cells: i32| ((1 << cells) - 1) * cell(SIDE - 1, from);
         vec![
             cell(row, column),
             cell(row, column - self.way),
@@ -275,7 +275,7 @@ impl Game for Seaquest {
             cells(&self.enemies[0]),
             cells(&self.enemies[SUBMARINES]),
             bar(0, self.oxygen_cells()),
-            bar(SIDE - 1 - self.rescued, SIDE - 1),
+            bar(SIDE - 1 - self.rescued.max(0), self.rescued.max(0)),
             cells(&self.divers),
         ]
     }
