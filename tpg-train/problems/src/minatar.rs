@@ -173,7 +173,8 @@ impl<S: Scalar, G: Game> Environment<S> for MinAtar<G> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Asterix, Breakout, Draws, Freeway, Game, Outcome, Play, Seaquest, SpaceInvaders};
+    use super::board::{SIDE, cell, is_inside};
+    use super::{Asterix, Board, Boards, Breakout, Draws, Freeway, Game, Outcome, Play, Seaquest, SpaceInvaders};
 
     /// Returns the number of episodes, the rewards, and a digest of 20,000 steps by random moves.
     fn played<G: Game>() -> (u32, u32, u64) {
@@ -211,5 +212,78 @@ mod tests {
         assert_eq!(played::<SpaceInvaders>(), (347, 1408, 0xB7CD_AE94_84D2_839B));
         assert_eq!(played::<Freeway>(), (7, 4, 0x0DD4_6901_BD36_68BF));
         assert_eq!(played::<Seaquest>(), (619, 60, 0x1BA6_5B22_032E_6033));
+    }
+
+    /// Returns the mean return of a rule over some games. A rule chooses from the boards, the player's place, and a function that tests
+    /// whether a channel is set so far down and to the right of the player.
+    fn ruled<G: Game>(games: u64, rule: impl Fn(&[Board], [i32; 2], &dyn Fn(usize, i32, i32) -> bool) -> usize) -> f64 {
+        let mut rewards = 0;
+        for seed in 0..games {
+            let mut play = Play::<G>::new(seed);
+            for _ in 0..G::ACTIONS {
+                let boards = play.game.boards();
+                let at = Boards::place(boards[0].trailing_zeros()).map(|place| place as i32);
+                let is_set = |channel: usize, down: i32, right: i32| {
+                    let [row, column] = [at[0] + down, at[1] + right];
+                    is_inside(row) && is_inside(column) && boards[channel] & cell(row, column) != 0
+                };
+                let outcome = play.step(rule(&boards, at, &is_set));
+                rewards += outcome.reward;
+                if outcome.is_over {
+                    break;
+                }
+            }
+        }
+        f64::from(rewards) / games as f64
+    }
+
+    /// The chicken goes up unless a car is, or will soon be, in the cell above, and makes room for a car that comes.
+    #[test]
+    fn a_careful_chicken_crosses_the_road() {
+        let careful = ruled::<Freeway>(20, |_, _, is_set| {
+            let is_hit = |down| {
+                let comes = |speed, far| {
+                    [-1, 1].iter().any(|side| is_set(1, down, side * far) && is_set(speed, down, side * (far + 1)))
+                };
+                is_set(1, down, 0) || comes(2, 2) || (2..7).any(|speed| comes(speed, 1))
+            };
+            match [-1, 0, 1].map(is_hit) {
+                [false, ..] => 1,
+                [_, true, false] => 2,
+                _ => 0,
+            }
+        });
+        let hasty = ruled::<Freeway>(20, |_, _, _| 1);
+        assert!(careful > 62.0 && hasty < 25.0, "{careful} {hasty}");
+    }
+
+    /// The submarine shoots what is ahead, turns to what is behind, keeps away from enemies and fetches divers until it has to surface.
+    #[test]
+    fn a_submarine_surfaces_with_divers() {
+        let score = ruled::<Seaquest>(200, |boards, [row, column], is_set| {
+            let [stay, left, up, right, down, fire] = [0, 1, 2, 3, 4, 5];
+            let is_near = |down, right| (-2..=2).any(|by| (4..7).any(|enemy| is_set(enemy, down, right + by)));
+            let is_target = |right| is_set(5, 0, right) || is_set(6, 0, right);
+            let [oxygen, rescued] = [7, 8].map(|channel: usize| boards[channel].count_ones());
+            let to = if boards[9] == 0 || rescued == 6 { [5, 5] } else { Boards::place(boards[9].trailing_zeros()) };
+            let [to_row, to_column] = to.map(|place| place as i32);
+            let (ahead, turn) = if is_set(1, 0, -1) { (1, left) } else { (-1, right) };
+            let is_blocked = (4..7).any(|enemy| is_set(enemy, -1, 0));
+            let can_rise = row > 1 && !is_near(-1, 0);
+            let can_dive = row < SIDE - 2 && !is_near(1, 0);
+            let moves = [
+                (!is_blocked && (rescued == 6 || rescued > 0 && oxygen < 4), up),
+                ((1..5).any(|far| is_target(ahead * far)), fire),
+                ((2..5).any(|far| is_target(-ahead * far)), turn),
+                (is_near(0, 0) && can_dive, down),
+                (is_near(0, 0) && can_rise, up),
+                (to_row > row && can_dive, down),
+                (to_row < row && can_rise, up),
+                (to_column > column && !is_near(0, 1), right),
+                (to_column < column && !is_near(0, -1), left),
+            ];
+            moves.iter().find(|(is_wise, _)| *is_wise).map_or(stay, |(_, wise)| *wise)
+        });
+        assert!(score > 12.0, "{score}");
     }
 }
