@@ -3,10 +3,17 @@
 pip install minatar==1.0.15 && python record.py
 """
 
+import numpy as np
 from minatar import Environment
 
 WORD = (1 << 64) - 1
-MOVES = {"breakout": "nlr", "asterix": "nlurd", "space_invaders": "nlrf"}
+MOVES = {
+    "breakout": "nlr",
+    "asterix": "nlurd",
+    "space_invaders": "nlrf",
+    "freeway": "nud",
+    "seaquest": "nlurdf",
+}
 
 
 class Draws:
@@ -15,14 +22,25 @@ class Draws:
     def __init__(self, seed: int) -> None:
         self.state = seed
 
-    def rand(self) -> float:
+    def unit(self) -> float:
         self.state = (self.state + 0x9E3779B97F4A7C15) & WORD
         mixed = ((self.state ^ (self.state >> 30)) * 0xBF58476D1CE4E5B9) & WORD
         mixed = ((mixed ^ (mixed >> 27)) * 0x94D049BB133111EB) & WORD
         return ((mixed ^ (mixed >> 31)) >> 11) / 2**53
 
-    def randint(self, end: int) -> int:
-        return int(self.rand() * end)
+    def rand(self, size: int | None = None) -> float | np.ndarray:
+        return (
+            self.unit()
+            if size is None
+            else np.array([self.unit() for _ in range(size)])
+        )
+
+    def randint(
+        self, low: int, high: int | None = None, size: int | None = None
+    ) -> int | np.ndarray:
+        low, high = (0, low) if high is None else (low, high)
+        drawn = low + np.floor(self.rand(size) * (high - low)).astype(int)
+        return int(drawn) if size is None else drawn
 
 
 def begin(env: Environment, seed: int) -> None:

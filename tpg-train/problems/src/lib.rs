@@ -23,7 +23,7 @@
 //! | `rows` | tasks as CSV |
 //! | `sight` | the features of images |
 //! | `eye` | a camera that follows a ball |
-//! | `minatar` | games of ten by ten cells: `breakout`, `asterix`, `space-invaders` |
+//! | `minatar` | games of ten by ten cells: `breakout`, `asterix`, `space-invaders`, `freeway`, `seaquest` |
 //! | [`eights`] | problems whose episodes are stepped eight at a time |
 //! | [`varied`], [`physics`], [`amount`] | other constants, late actions, noise and hidden sources |
 

@@ -1,15 +1,19 @@
 //! Games of MinAtar: images of ten by ten cells, each with a flag for every channel.
 //!
 //! The rules are those of the package `minatar` 1.0.15 with its sticky actions and rising difficulty; an episode here has at most
-//! 5,000 actions.
+//! 5,000 actions, or Freeway's 2,501.
 
 mod asterix;
 mod board;
 mod breakout;
+mod freeway;
+mod seaquest;
 mod space_invaders;
 
 pub(crate) use asterix::Asterix;
 pub(crate) use breakout::Breakout;
+pub(crate) use freeway::Freeway;
+pub(crate) use seaquest::Seaquest;
 pub(crate) use space_invaders::SpaceInvaders;
 
 use crate::sight::Sight;
@@ -23,8 +27,6 @@ use tpg_runtime::scalar::Scalar;
 
 /// The probability that the last move is made once more instead of the one that is chosen.
 const STICKY: f64 = 0.1;
-/// Actions of an episode.
-const ACTIONS: u32 = 5000;
 
 /// A game.
 pub(crate) trait Game: Clone + Send + Sync + 'static {
@@ -32,6 +34,8 @@ pub(crate) trait Game: Clone + Send + Sync + 'static {
     const CHANNELS: &'static [&'static str];
     /// The names of the actions, and the moves that they are.
     const MOVES: &'static [(&'static str, Move)];
+    /// Actions of an episode.
+    const ACTIONS: u32 = 5000;
 
     /// Begins a game.
     fn new(draws: &mut Draws) -> Self;
@@ -141,7 +145,7 @@ impl<S: Scalar, G: Game> Environment<S> for MinAtar<G> {
     }
 
     fn time_limit(&self) -> u32 {
-        ACTIONS
+        G::ACTIONS
     }
 
     fn draw(&self, stream: &mut Stream) -> u64 {
@@ -169,17 +173,21 @@ impl<S: Scalar, G: Game> Environment<S> for MinAtar<G> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Asterix, Breakout, Draws, Game, Outcome, Play, SpaceInvaders};
+    use super::board::{SIDE, cell, is_inside};
+    use super::{Asterix, Board, Boards, Breakout, Draws, Freeway, Game, Outcome, Play, Seaquest, SpaceInvaders};
 
     /// Returns the number of episodes, the rewards, and a digest of 20,000 steps by random moves.
     fn played<G: Game>() -> (u32, u32, u64) {
         let mut seed = 7;
         let (mut choices, mut play) = (Draws { seed: seed ^ 0xABCD, drawn: 0 }, Play::<G>::new(seed));
         let (mut episodes, mut rewards, mut digest) = (0, 0, 0xCBF2_9CE4_8422_2325_u64);
+        let mut actions = 0;
         for _ in 0..20_000 {
             let choice = choices.below(G::MOVES.len());
             let Outcome { reward, is_over } = play.step(choice);
             rewards += reward;
+            actions += 1;
+            let is_over = is_over || actions == G::ACTIONS;
             let head = [choice as u128, reward.into(), is_over.into()];
             for word in head.into_iter().chain(play.game.boards()) {
                 let bytes = word.to_le_bytes();
@@ -189,6 +197,7 @@ mod tests {
             if is_over {
                 seed += 1;
                 episodes += 1;
+                actions = 0;
                 play = Play::new(seed);
             }
         }
@@ -201,5 +210,80 @@ mod tests {
         assert_eq!(played::<Breakout>(), (1957, 810, 0x991C_8C9C_CDE9_49F8));
         assert_eq!(played::<Asterix>(), (302, 153, 0x772F_5132_2391_A234));
         assert_eq!(played::<SpaceInvaders>(), (347, 1408, 0xB7CD_AE94_84D2_839B));
+        assert_eq!(played::<Freeway>(), (7, 4, 0x0DD4_6901_BD36_68BF));
+        assert_eq!(played::<Seaquest>(), (619, 60, 0x1BA6_5B22_032E_6033));
+    }
+
+    /// Returns the mean return of a rule over some games. A rule chooses from the boards, the player's place, and a function that tests
+    /// whether a channel is set so far down and to the right of the player.
+    fn ruled<G: Game>(games: u64, rule: impl Fn(&[Board], [i32; 2], &dyn Fn(usize, i32, i32) -> bool) -> usize) -> f64 {
+        let mut rewards = 0;
+        for seed in 0..games {
+            let mut play = Play::<G>::new(seed);
+            for _ in 0..G::ACTIONS {
+                let boards = play.game.boards();
+                let at = Boards::place(boards[0].trailing_zeros()).map(|place| place as i32);
+                let is_set = |channel: usize, down: i32, right: i32| {
+                    let [row, column] = [at[0] + down, at[1] + right];
+                    is_inside(row) && is_inside(column) && boards[channel] & cell(row, column) != 0
+                };
+                let outcome = play.step(rule(&boards, at, &is_set));
+                rewards += outcome.reward;
+                if outcome.is_over {
+                    break;
+                }
+            }
+        }
+        f64::from(rewards) / games as f64
+    }
+
+    /// The chicken goes up unless a car is, or will soon be, in the cell above, and makes room for a car that comes.
+    #[test]
+    fn a_careful_chicken_crosses_the_road() {
+        let careful = ruled::<Freeway>(20, |_, _, is_set| {
+            let is_hit = |down| {
+                let comes = |speed, far| {
+                    [-1, 1].iter().any(|side| is_set(1, down, side * far) && is_set(speed, down, side * (far + 1)))
+                };
+                is_set(1, down, 0) || comes(2, 2) || (2..7).any(|speed| comes(speed, 1))
+            };
+            match [-1, 0, 1].map(is_hit) {
+                [false, ..] => 1,
+                [_, true, false] => 2,
+                _ => 0,
+            }
+        });
+        let hasty = ruled::<Freeway>(20, |_, _, _| 1);
+        assert!(careful > 62.0 && hasty < 25.0, "{careful} {hasty}");
+    }
+
+    /// The submarine shoots what is ahead, turns to what is behind, keeps away from enemies and fetches divers until it has to surface.
+    #[test]
+    fn a_submarine_surfaces_with_divers() {
+        let score = ruled::<Seaquest>(200, |boards, [row, column], is_set| {
+            let [stay, left, up, right, down, fire] = [0, 1, 2, 3, 4, 5];
+            let is_near = |down, right| (-2..=2).any(|by| (4..7).any(|enemy| is_set(enemy, down, right + by)));
+            let is_target = |right| is_set(5, 0, right) || is_set(6, 0, right);
+            let [oxygen, rescued] = [7, 8].map(|channel: usize| boards[channel].count_ones());
+            let to = if boards[9] == 0 || rescued == 6 { [5, 5] } else { Boards::place(boards[9].trailing_zeros()) };
+            let [to_row, to_column] = to.map(|place| place as i32);
+            let (ahead, turn) = if is_set(1, 0, -1) { (1, left) } else { (-1, right) };
+            let is_blocked = (4..7).any(|enemy| is_set(enemy, -1, 0));
+            let can_rise = row > 1 && !is_near(-1, 0);
+            let can_dive = row < SIDE - 2 && !is_near(1, 0);
+            let moves = [
+                (!is_blocked && (rescued == 6 || rescued > 0 && oxygen < 4), up),
+                ((1..5).any(|far| is_target(ahead * far)), fire),
+                ((2..5).any(|far| is_target(-ahead * far)), turn),
+                (is_near(0, 0) && can_dive, down),
+                (is_near(0, 0) && can_rise, up),
+                (to_row > row && can_dive, down),
+                (to_row < row && can_rise, up),
+                (to_column > column && !is_near(0, 1), right),
+                (to_column < column && !is_near(0, -1), left),
+            ];
+            moves.iter().find(|(is_wise, _)| *is_wise).map_or(stay, |(_, wise)| *wise)
+        });
+        assert!(score > 12.0, "{score}");
     }
 }

@@ -9,7 +9,7 @@ use crate::arm::targets::Start;
 use crate::cartpole::{self, CartPole};
 use crate::dodge::{Dodge, DodgeConfig};
 use crate::eye::Eye;
-use crate::minatar::{Asterix, Breakout, MinAtar, SpaceInvaders};
+use crate::minatar::{Asterix, Breakout, Freeway, MinAtar, Seaquest, SpaceInvaders};
 use crate::mountain_car::{self, MountainCar};
 use crate::mountain_car_continuous::{self, MountainCarContinuous};
 use crate::pendulum::PendulumConfig;
@@ -53,6 +53,10 @@ named! {
         Asterix = "asterix",
         /// A cannon shoots aliens: MinAtar's Space Invaders
         SpaceInvaders = "space-invaders",
+        /// A chicken crosses a road: MinAtar's Freeway
+        Freeway = "freeway",
+        /// A submarine shoots enemies and rescues divers: MinAtar's Seaquest
+        Seaquest = "seaquest",
         /// A camera follows a ball that is lighter or darker than what is behind it
         Eye = "eye",
     }
@@ -173,9 +177,12 @@ impl Problem {
             ProblemName::MountainCar => ProblemSettings::MountainCar(read(table)?),
             ProblemName::Pendulum => ProblemSettings::Pendulum(read(table)?),
             ProblemName::MountainCarContinuous => ProblemSettings::MountainCarContinuous(read(table)?),
-            ProblemName::Breakout | ProblemName::Asterix | ProblemName::SpaceInvaders | ProblemName::Eye => {
-                ProblemSettings::Fixed(read(table)?)
-            }
+            ProblemName::Breakout
+            | ProblemName::Asterix
+            | ProblemName::SpaceInvaders
+            | ProblemName::Freeway
+            | ProblemName::Seaquest
+            | ProblemName::Eye => ProblemSettings::Fixed(read(table)?),
         };
         Ok(Self { name, settings })
     }
@@ -311,6 +318,8 @@ impl Problem {
                 ProblemName::Breakout => erase(MinAtar::<Breakout>::default()),
                 ProblemName::Asterix => erase(MinAtar::<Asterix>::default()),
                 ProblemName::SpaceInvaders => erase(MinAtar::<SpaceInvaders>::default()),
+                ProblemName::Freeway => erase(MinAtar::<Freeway>::default()),
+                ProblemName::Seaquest => erase(MinAtar::<Seaquest>::default()),
                 _ => erase(Eye::default()),
             },
         }

@@ -29,6 +29,8 @@ pub(crate) const fn block([top, bottom]: [i32; 2], [left, right]: [i32; 2]) -> B
 
 /// Every cell.
 pub(crate) const ALL: Board = block([0, SIDE], [0, SIDE]);
+pub(crate) const FIRST_COLUMN: Board = block([0, SIDE], [0, 1]);
+pub(crate) const LAST_COLUMN: Board = block([0, SIDE], [SIDE - 1, SIDE]);
 
 /// Tests for a number of a row or column.
 pub(crate) fn is_inside(place: i32) -> bool {

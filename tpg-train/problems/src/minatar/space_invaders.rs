@@ -1,6 +1,6 @@
 //! Space Invaders: a cannon shoots aliens that come down, ever faster.
 
-use super::board::{ALL, Board, Draws, SIDE, block, cell, is_inside};
+use super::board::{ALL, Board, Draws, FIRST_COLUMN, LAST_COLUMN, SIDE, block, cell, is_inside};
 use super::{Game, Move, Outcome};
 
 /// A game of Space Invaders.
@@ -19,8 +19,6 @@ pub(crate) struct SpaceInvaders {
 }
 
 const WAVE: Board = block([0, 4], [2, 8]);
-const FIRST_COLUMN: Board = block([0, SIDE], [0, 1]);
-const LAST_COLUMN: Board = block([0, SIDE], [SIDE - 1, SIDE]);
 const LAST_ROW: Board = block([SIDE - 1, SIDE], [0, SIDE]);
 /// Steps from one shot of the aliens to the next, and at least from one of the cannon to the next.
 const SHOT_EVERY: i32 = 10;

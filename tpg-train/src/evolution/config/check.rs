@@ -21,7 +21,7 @@ impl Configuration for EvolutionConfig {
             ProblemName::Fs => "best-fs",
             ProblemName::Rs => "best-rs",
             ProblemName::Dodge => "dodge",
-            ProblemName::Breakout | ProblemName::Asterix | ProblemName::Eye => "images",
+            ProblemName::Breakout | ProblemName::Asterix | ProblemName::Freeway | ProblemName::Eye => "images",
             _ => "thorough",
         }
     }
