@@ -1,10 +1,10 @@
 /*
- * A policy for HalfCheetah-v5, score 4739.82 in validation, trained by tpg-train 0.1.0 with seed 1.
+ * A policy for HalfCheetah-v5, score 5578.21 in validation, trained by tpg-train 0.1.0 with seed 2.
  * Made by tpg-codegen 0.1.0 from a tangled program graph; do not edit.
  * Options: --lang c --prefix half_cheetah --profile fast
- * Graph SHA-256: 909066e89f0f3337d020b7a767128fa97ceedc04b0735efd6eaaa64d4265eb6f
- * 1 team, 1 edge, 1 program, 198 distinct operations.
- * A decision takes at most 198 operations.
+ * Graph SHA-256: 7ef378f3cc5a30791a19fb60e0bce0a2d1d8baa319d08a1c65bdbecc6eddd4bf
+ * 1 team, 1 edge, 1 program, 145 distinct operations.
+ * A decision takes at most 145 operations.
  * Computes in f32 with own maths.
  */
 #include "half_cheetah.h"
@@ -44,123 +44,91 @@ static float half_cheetah_clamp(float value, float low, float high)
 
 void half_cheetah_infer(const half_cheetah_state_t *state, half_cheetah_action_t *action)
 {
-    const float term = 1.4008873f * state->height
-        + 0.09387724f * state->pitch
-        - 0.18976228f * state->back_thigh_angle
-        - 0.12725973f * state->back_shin_angle
-        - 1.6832566f * state->back_foot_angle
-        + 0.38527772f * state->front_thigh_angle;
+    const float term = 0.65299785f * state->height
+        - 0.30417895f * state->pitch
+        + 0.08986901f * state->back_thigh_angle
+        + 0.1527143f * state->back_shin_angle
+        + 0.10618001f * state->front_thigh_angle
+        + 0.2887228f * state->front_shin_angle;
     const float term_2 = term
-        + 0.4094602f * state->front_shin_angle
-        + 0.08500024f * state->vx
-        - 0.10341745f * state->vz
-        - 0.15919156f * state->pitch_speed
-        - 0.022208741f * state->back_thigh_speed
-        - 0.026848406f * state->back_shin_speed;
+        - 0.042333245f * state->front_foot_angle
+        + 0.030733766f * state->vx
+        + 0.3018588f * state->vz
+        - 0.07872877f * state->pitch_speed
+        - 0.065849066f * state->back_thigh_speed
+        + 0.00862241f * state->back_shin_speed;
     const float back_thigh = term_2
-        - 0.022946933f * state->back_foot_speed
-        + 0.018442832f * state->front_thigh_speed
-        - 0.02791334f * state->front_shin_speed
-        - 0.021624371f * state->front_foot_speed
-        + 0.0508656f;
-    const float term_3 = -1.1853826f * state->height
-        - 0.3723432f * state->pitch
-        + 0.042402733f * state->back_thigh_angle
-        + 0.33647406f * state->back_shin_angle
-        + 0.1202205f * state->back_foot_angle
-        - 0.12960166f * state->front_thigh_angle;
+        + 0.02093927f * state->back_foot_speed
+        - 0.035348557f * state->front_thigh_speed
+        - 0.032005753f * state->front_shin_speed
+        - 0.0015801959f * state->front_foot_speed
+        + 0.25798228f;
+    const float back_shin = state->front_thigh_speed + 0.024565589f;
+    const float term_3 = -0.6643476f * state->height
+        + 0.9206936f * state->back_shin_angle
+        - 0.35221323f * state->back_foot_angle
+        + 0.59571f * state->front_shin_angle
+        - 0.12767485f * state->front_foot_angle
+        - 0.093680136f * state->vx;
     const float term_4 = term_3
-        - 0.043244623f * state->front_shin_angle
-        + 0.40792063f * state->front_foot_angle
-        - 0.0307495f * state->vx
-        - 0.093859464f * state->vz
-        + 0.0531134f * state->pitch_speed
-        - 0.04513471f * state->back_thigh_speed;
-    const float term_5 = term_4
-        - 0.002819547f * state->back_shin_speed
-        - 0.029158877f * state->back_foot_speed
-        + 0.013162317f * state->front_thigh_speed
-        - 0.017216053f * state->front_shin_speed
-        + 0.039490286f * state->front_foot_speed;
-    const float back_shin = term_5 + 0.054933626f;
-    const float term_6 = 0.12277543f * state->height
-        + 0.051600974f * state->pitch
-        + 1.2118318f * state->back_thigh_angle
-        - 0.4268653f * state->back_shin_angle
-        - 0.40210655f * state->back_foot_angle
-        + 0.47833714f * state->front_thigh_angle;
-    const float term_7 = term_6
-        + 0.8851195f * state->front_shin_angle
-        + 0.11428689f * state->front_foot_angle
-        + 0.07447019f * state->vx
-        + 0.4652907f * state->vz
-        - 0.01510865f * state->pitch_speed
-        - 0.012634864f * state->back_thigh_speed;
+        + 0.13345654f * state->vz
+        - 0.021074038f * state->pitch_speed
+        + 0.031236362f * state->back_thigh_speed
+        + 0.030699003f * state->back_foot_speed
+        - 0.03184241f * state->front_thigh_speed
+        + 0.011127887f * state->front_shin_speed;
+    const float back_foot = term_4 + 0.021415437f * state->front_foot_speed + 0.0912914f;
+    const float term_5 = -2.4914157f * state->height
+        - 0.42017677f * state->back_thigh_angle
+        - 0.4775143f * state->back_shin_angle
+        - 0.15708983f * state->front_thigh_angle
+        - 0.91896254f * state->front_shin_angle
+        - 0.8898691f * state->front_foot_angle;
+    const float term_6 = term_5
+        - 0.025057836f * state->vx
+        - 0.24128f * state->vz
+        + 0.06779719f * state->pitch_speed
+        + 0.017799746f * state->back_thigh_speed
+        - 0.0094479555f * state->back_shin_speed
+        - 0.031343386f * state->back_foot_speed;
+    const float front_thigh = term_6
+        - 0.007135808f * state->front_thigh_speed
+        + 0.038320307f * state->front_shin_speed
+        - 0.010964609f * state->front_foot_speed
+        - 0.4173823f;
+    const float term_7 = 0.33716694f * state->height
+        + 0.32924032f * state->back_thigh_angle
+        - 1.103007f * state->back_shin_angle
+        + 0.716227f * state->back_foot_angle
+        - 0.6825805f * state->front_thigh_angle
+        + 1.313297f * state->front_shin_angle;
     const float term_8 = term_7
-        - 0.004542586f * state->back_shin_speed
-        - 0.010618708f * state->back_foot_speed
-        + 0.023100879f * state->front_thigh_speed
-        + 0.022929158f * state->front_shin_speed
-        - 0.016002292f * state->front_foot_speed;
-    const float back_foot = term_8 - 0.16678137f;
-    const float term_9 = -1.418642f * state->height
-        + 0.43121094f * state->pitch
-        + 0.056831904f * state->back_thigh_angle
-        - 0.11759443f * state->back_shin_angle
-        + 0.38178843f * state->back_foot_angle
-        - 0.2822201f * state->front_thigh_angle;
+        - 0.09976387f * state->front_foot_angle
+        - 0.023090838f * state->vx
+        + 0.39377627f * state->vz
+        - 0.011995308f * state->pitch_speed
+        + 0.015915005f * state->back_thigh_speed
+        + 0.008061846f * state->back_shin_speed;
+    const float front_shin = term_8
+        + 0.01730848f * state->front_thigh_speed
+        - 0.016408563f * state->front_shin_speed
+        + 0.007713775f * state->front_foot_speed
+        + 0.24237464f;
+    const float term_9 = 1.1094741f * state->height
+        + 0.0f
+        - 0.1943114f * state->back_thigh_angle
+        + 0.30722198f * state->back_shin_angle
+        + 0.13936892f * state->front_thigh_angle
+        + 0.31880283f * state->front_shin_angle;
     const float term_10 = term_9
-        - 0.8116351f * state->front_shin_angle
-        + 0.62498f * state->front_foot_angle
-        - 0.11484541f * state->vx
-        - 0.05127445f * state->vz
-        + 0.14062005f * state->pitch_speed
-        - 0.012118952f * state->back_thigh_speed;
-    const float term_11 = term_10
-        + 0.009986786f * state->back_shin_speed
-        - 0.038676754f * state->back_foot_speed
-        + 0.0007840264f * state->front_thigh_speed
-        + 0.004478204f * state->front_shin_speed
-        + 0.005064627f * state->front_foot_speed;
-    const float front_thigh = term_11 + 0.0014363579f;
-    const float term_12 = -0.11193159f * state->height
-        + 0.3165f * state->pitch
-        + 0.46301544f * state->back_thigh_angle
-        - 0.224833f * state->back_shin_angle
-        + 0.45676583f * state->back_foot_angle
-        - 0.35732824f * state->front_thigh_angle;
-    const float term_13 = term_12
-        + 0.73909867f * state->front_foot_angle
-        + 0.0034187804f * state->vx
-        - 0.026946642f * state->vz
-        - 0.008634697f * state->pitch_speed
-        - 0.0042703478f * state->back_thigh_speed
-        + 0.009634706f * state->back_shin_speed;
-    const float front_shin = term_13
-        - 0.020781748f * state->back_foot_speed
-        - 0.021359142f * state->front_thigh_speed
-        - 0.045049116f * state->front_shin_speed
-        + 0.021782797f * state->front_foot_speed
-        - 0.12608574f;
-    const float term_14 = 0.93854785f * state->height
-        + 0.05506858f * state->pitch
-        + 0.17329441f * state->back_shin_angle
-        + 0.11109171f * state->back_foot_angle
-        - 0.494372f * state->front_thigh_angle
-        + 0.8358307f * state->front_shin_angle;
-    const float term_15 = term_14
-        + 0.09513146f * state->front_foot_angle
-        - 0.13991123f * state->vx
-        + 0.30567983f * state->vz
-        + 0.10073735f * state->pitch_speed
-        - 0.01967937f * state->back_thigh_speed
-        + 0.045426693f * state->back_shin_speed;
-    const float front_foot = term_15
-        + 0.0011335313f * state->back_foot_speed
-        + 0.0071149385f * state->front_thigh_speed
-        + 0.0075003016f * state->front_shin_speed
-        - 0.049951147f * state->front_foot_speed
-        + 0.5277141f;
+        - 0.7904248f * state->front_foot_angle
+        + 0.09822248f * state->vx
+        - 0.16976257f * state->vz
+        - 0.034448557f * state->pitch_speed
+        + 0.018111259f * state->back_shin_speed
+        + 0.0048697935f * state->back_foot_speed;
+    const float front_foot =
+        term_10 + 0.021317588f * state->front_thigh_speed + 0.014080553f * state->front_foot_speed;
 
     action->back_thigh = half_cheetah_clamp(back_thigh, -1.0f, 1.0f);
     action->back_shin = half_cheetah_clamp(back_shin, -1.0f, 1.0f);
@@ -201,28 +169,26 @@ static uint32_t half_cheetah_arithmetic(void)
 
 uint32_t half_cheetah_selftest(void)
 {
-    static const half_cheetah_state_t states[7] = {
-        { -0.07880321f, -0.22123992f, 0.26294416f, -0.48227736f, -0.27833334f, 0.225264f, 0.06078638f, -0.5353276f, 7.598215f, 0.81597406f, -0.4123589f, 5.5429873f, -19.237198f, -11.843935f, -1.0476578f, -10.638998f, 14.858075f },
-        { 0.26235643f, 0.7671644f, -0.61620206f, -0.27241188f, 0.07687293f, -0.51623315f, -0.55054253f, -0.66015863f, -0.011692463f, 0.06492519f, -3.4462726f, -16.8507f, -19.194275f, 23.7193f, 14.112349f, -16.334492f, 3.447543f },
-        { 0.14084078f, 0.49066037f, -0.44509056f, 0.75608236f, -0.55919313f, 0.040437493f, 0.5292002f, -0.01944395f, 7.872162f, -0.5414644f, -0.5029001f, 21.347994f, -8.923966f, 5.857044f, -11.82639f, -12.407413f, 3.2309241f },
-        { 0.27846718f, 0.08042318f, 0.8526186f, 0.8287494f, 0.8159356f, 0.27688697f, 0.13476431f, 0.06308425f, 4.2198157f, 0.43322963f, -0.57083535f, 8.803412f, 2.638168f, -21.566063f, -14.410127f, -5.9933114f, -2.4827228f },
-        { 0.0689725f, 0.23515753f, -0.0873861f, -0.38233146f, 0.38647518f, -0.62007725f, 0.28697774f, 0.17840676f, 1.382556f, 1.1478083f, 4.2851563f, 18.609167f, 14.71431f, -18.297089f, -13.124823f, -12.441492f, -5.925833f },
-        { -0.04957751f, 0.4005462f, -0.26378378f, 0.4309231f, -0.55438143f, -0.4515694f, -0.5213895f, 0.18727915f, 1.2085862f, -1.9763299f, 2.7256782f, 5.6832013f, -17.811033f, -10.879902f, -16.231077f, -17.891973f, 14.507892f },
-        { -0.19715157f, -0.19449334f, -0.39061677f, -0.49634016f, -0.15492357f, 0.110197656f, 0.24234572f, 0.2517616f, 7.466725f, 1.1454207f, -3.6581893f, 4.6244698f, -21.707367f, 15.5850725f, 22.22132f, 11.943088f, 2.590241f },
+    static const half_cheetah_state_t states[6] = {
+        { -0.07578986f, -0.25904292f, 0.38371366f, -0.5330364f, -0.256026f, 0.12841003f, 0.039639257f, -0.58023244f, 7.6160426f, 0.81788206f, -0.2668682f, 3.098456f, -20.858036f, -14.216486f, -1.0536168f, -3.8012333f, 26.079159f },
+        { 0.104447864f, 0.18322857f, -0.2453996f, -0.28069317f, 0.059489693f, -0.5808663f, -0.23219113f, -0.7645519f, -0.011227606f, 0.22987776f, -2.9131105f, -15.481769f, -20.81011f, 28.089489f, 12.569345f, -6.814314f, 4.193876f },
+        { 0.04025006f, 0.059504054f, -0.122952946f, 0.9559731f, -0.50550264f, -0.048385065f, 0.24792176f, 0.18149675f, 7.8906145f, -0.24487121f, -0.34584013f, 16.211998f, -9.342992f, 6.8405757f, -10.739514f, -4.7367754f, 3.778403f },
+        { 0.11295933f, -0.12406071f, 0.8056822f, 1.0433483f, 0.71596986f, 0.17778979f, 0.072533906f, 0.30335397f, 4.229935f, 0.5182273f, -0.40509468f, 5.803657f, 3.5664914f, -25.781918f, -13.061291f, -1.3435308f, -7.1803136f },
+        { -0.005122496f, 0.05396527f, 0.36537558f, -0.7767403f, -0.4881826f, -1.1814283f, -0.17240855f, 0.19574022f, -0.26951623f, -0.31146538f, -2.008696f, 13.862792f, -14.506106f, -26.290506f, -9.055798f, 1.0319378f, -22.62699f },
+        { 0.042995207f, -0.041013375f, 0.5557198f, 0.91620827f, -0.15619135f, 0.25741085f, -0.18438356f, -0.70920914f, 7.220109f, 1.584975f, 2.167218f, -1.2055126f, -23.925524f, 28.501541f, -0.859973f, -4.5588894f, 23.797058f },
     };
-    static const half_cheetah_action_t actions[7] = {
-        { 1.0f, 0.36934918f, 1.0f, -1.0f, 0.30958205f, -1.0f },
-        { 1.0f, -0.2914577f, -1.0f, -1.0f, -0.47346228f, -0.52365845f },
-        { 1.0f, -1.0f, -0.8347878f, -1.0f, -0.017966531f, -1.0f },
-        { -0.44181174f, -0.06919034f, 0.6815315f, -0.12856959f, 1.0f, 0.39272866f },
-        { -1.0f, -0.522647f, -0.29551712f, 1.0f, 1.0f, 1.0f },
-        { 0.92113787f, 1.0f, -1.0f, 1.0f, 1.0f, -1.0f },
-        { 1.0f, -0.7074124f, 1.0f, -1.0f, -1.0f, -1.0f },
+    static const half_cheetah_action_t actions[6] = {
+        { 0.22811124f, -1.0f, -0.5498477f, 0.19192213f, 1.0f, 0.6829221f },
+        { 1.0f, 1.0f, -0.21259508f, -1.0f, 0.7901198f, 0.6737919f },
+        { 0.17607817f, -1.0f, 1.0f, -1.0f, -1.0f, 0.80795836f },
+        { 0.5713017f, -1.0f, 0.047581315f, -1.0f, -0.17570387f, -0.0016072616f },
+        { -1.0f, -1.0f, -1.0f, 1.0f, 1.0f, -1.0f },
+        { 1.0f, -0.83540744f, 1.0f, -1.0f, -0.5668902f, 1.0f },
     };
     uint32_t failures = half_cheetah_arithmetic();
     uint32_t vector;
 
-    for (vector = 0U; vector < 7U; vector++) {
+    for (vector = 0U; vector < 6U; vector++) {
         half_cheetah_action_t action;
 
         half_cheetah_infer(&states[vector], &action);
