@@ -82,14 +82,10 @@ class Integers:
     """The policy of a classifier in integers."""
 
     def __init__(self, model: Any, bits: int) -> None:
-        self.graph, self.classes, self.most = model.model_.quantise(bits), model.classes_, 2 ** (bits - 1)
-        counts = [one for source in json.loads(self.graph.to_json())["sources"] for one in source["counts"]]
-        self.scale = np.array([one["scale"] for one in counts])
-        self.offset = np.array([one.get("offset", 0) for one in counts])
+        self.graph, self.classes = model.model_.quantise(bits).graph, model.classes_
 
     def predict(self, samples: Any) -> Any:
-        counts = np.rint(samples / self.scale + self.offset)
-        return self.classes[self.graph.answers(np.clip(counts, -self.most, self.most - 1))]
+        return self.classes[self.graph.answers(np.ascontiguousarray(samples, np.float64))]
 
 
 class Tree:
@@ -177,7 +173,7 @@ def medians(sizes: list[list[tuple[int, int]]]) -> list[tuple[int, int]]:
 
 def code(graph: Any) -> list[tuple[int, int]]:
     """Returns flash and instructions of a graph on each core, in the profile that takes fewest instructions."""
-    sizes = json.loads(graph.report(list(CORES))[1])["sizes"]
+    sizes = graph.report(*CORES).data["sizes"]
     known = [one for one in sizes if one["instructions"] is not None]
     fastest = [min((one for one in known if one["target"] == core), key=lambda one: one["instructions"]) for core in CORES]
     return [(one["linked_flash"], one["instructions"]) for one in fastest]
