@@ -103,7 +103,8 @@ fn shipped_policies_in_integers_are_proven() {
         for (bits, profile) in [(8, Profile::Fast), (8, Profile::Small), (16, Profile::Fast), (16, Profile::Small)] {
             let text = in_integers(name, bits);
             let files = c_of(&text, profile);
-            let is_dense = ["swimmer", "hopper", "half-cheetah", "bipedal-walker"].contains(&name) && profile == Profile::Small;
+            let is_dense =
+                ["swimmer", "hopper", "half-cheetah", "bipedal-walker"].contains(&name) && profile == Profile::Small;
             assert_eq!(files[1].text.contains("policy_weights["), is_dense, "{name}: a table");
             let start = Instant::now();
             let proof = proof_of(&text, &files, Effort::default());

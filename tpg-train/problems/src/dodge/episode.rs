@@ -24,7 +24,7 @@ pub struct Episode {
     steps: u32,
 }
 
-/// The end of an episode, an index of [`OUTCOMES`].
+/// The end of an episode, an index of the problem's outcomes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// The hand is at its target.
