@@ -4,7 +4,7 @@ use super::meaning::Output;
 use super::network::QuantisedPolicy;
 use super::plain::to_plain_c;
 use crate::Options;
-use crate::emit::c::field::field;
+use crate::emit::c::field::member;
 use crate::emit::{Code, File, Language, Prefix};
 use askama::Template;
 use tpg_graph::error::{InputError, Place};
@@ -34,7 +34,11 @@ pub fn to_asking_c(graph: &Graph, options: &Options, policy: &QuantisedPolicy) -
     let refuse = |path: &str, found: &[String], accepted: &[String]| {
         Err(InputError::new("the network", path, found.join(", "), accepted.join(", ")))
     };
-    let inputs: Vec<String> = graph.inputs().map(|input| named(graph, input, |name| name.to_owned())).collect();
+    let name = |input| match graph.source_of(input).0 {
+        source if source.ranges.len() == 1 => source.name.clone(),
+        _ => graph.input_name(input),
+    };
+    let inputs: Vec<String> = graph.inputs().map(name).collect();
     let seen: Vec<String> = policy.inputs.iter().map(|input| input.name.clone()).collect();
     if inputs != seen {
         return refuse("$.observation", &seen, &inputs);
@@ -64,18 +68,11 @@ pub fn to_asking_c(graph: &Graph, options: &Options, policy: &QuantisedPolicy) -
 
 /// Returns a value of the graph's state in C: of counts, what they are worth.
 fn value(graph: &Graph, input: Input) -> String {
-    let member = format!("state->{}", named(graph, input, |name| field(graph, name)));
+    let member = member(graph, input);
     match graph.counts_of(input) {
         Some(Counts { scale, offset: 0.0, .. }) => format!("(float){member} * {:?}f", scale as f32),
         Some(Counts { scale, offset, .. }) => format!("((float){member} - {:?}f) * {:?}f", offset as f32, scale as f32),
         None if graph.scalar() == ScalarType::F64 => format!("(float){member}"),
         None => member,
     }
-}
-
-/// Writes the name of an input's source, and its place among others.
-fn named(graph: &Graph, input: Input, name: impl Fn(&str) -> String) -> String {
-    let (source, place) = graph.source_of(input);
-    let name = name(&source.name);
-    if source.ranges.len() == 1 { name } else { format!("{name}[{place}]") }
 }

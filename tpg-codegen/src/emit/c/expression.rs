@@ -111,14 +111,12 @@ impl Syntax for CPrinter<'_> {
     const BRACES: bool = true;
 
     fn input(&self, input: Input) -> String {
-        let (source, place) = self.graph.source_of(input);
         if self.gegelati {
+            let (source, place) = self.graph.source_of(input);
             let number = self.graph.sources().iter().position(|s| s.name == source.name).unwrap_or(0) + 1;
             format!("in{number}[{place}]")
-        } else if source.ranges.len() == 1 {
-            format!("state->{}", field::field(self.graph, &source.name))
         } else {
-            format!("state->{}[{place}]", field::field(self.graph, &source.name))
+            field::member(self.graph, input)
         }
     }
 

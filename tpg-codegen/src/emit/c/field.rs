@@ -3,7 +3,7 @@
 //! A name that C, C++ or a header gives a meaning cannot name a field. It gets an underscore behind it, or as many as make it no other
 //! name of the graph. Rust names no field after them.
 
-use tpg_graph::Graph;
+use tpg_graph::{Graph, Input};
 
 /// Keywords of C and C++, two words that compilers in GNU mode define as 1, and the macros in lower case of the headers that generated
 /// code and its harnesses include, those of AVR's C library among them.
@@ -37,6 +37,13 @@ pub(crate) fn field(graph: &Graph, name: &str) -> String {
         field.push('_');
     }
     field
+}
+
+/// The value of an input in the state that a function is given.
+pub(crate) fn member(graph: &Graph, input: Input) -> String {
+    let (source, place) = graph.source_of(input);
+    let field = field(graph, &source.name);
+    if source.ranges.len() == 1 { format!("state->{field}") } else { format!("state->{field}[{place}]") }
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! What C and Rust spell their own way.
 
-use crate::emit::c::field::field;
+use crate::emit::c::field::member;
 use crate::emit::file::{comment, one_line};
 use crate::integers::{input_bits, output_bits};
 use crate::options::Language;
@@ -53,13 +53,7 @@ impl<'a> IntegerSpelling<'a> {
 
     /// A value of the state in its own type.
     fn value(&self, input: Input) -> String {
-        let (source, place) = self.graph.source_of(input);
-        let name = field(self.graph, &source.name);
-        match source.counts.len() {
-            _ if !self.is_c => format!("s[{}]", input.index()),
-            0 | 1 => format!("state->{name}"),
-            _ => format!("state->{name}[{place}]"),
-        }
+        self.either(member(self.graph, input), format!("s[{}]", input.index()))
     }
 
     /// A whole number.
