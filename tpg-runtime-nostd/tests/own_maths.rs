@@ -1,10 +1,12 @@
 //! The error bounds that `ops::own` states, measured, and its special values.
 
 use std::f64::consts::PI;
+use std::process::{Command, Stdio};
 
 use tpg_runtime::ops::own;
 
 type Function = fn(f64) -> f64;
+type Function32 = fn(f32) -> f32;
 
 /// Sine and cosine are off by at most 1.5 ulp each, and the quotient is rounded.
 const TAN_ULPS: f64 = 3.5;
@@ -256,5 +258,84 @@ fn f32_ln_and_exp_rise() {
         let after = own::f32::exp(-f32::from_bits(105_f32.to_bits() - bits));
         assert!(after >= before, "exp {:e}", -f32::from_bits(105_f32.to_bits() - bits));
         before = after;
+    }
+}
+
+/// The functions of one number that the prover defines.
+const PROVEN: [(&str, Function32); 7] = [
+    ("sin", own::f32::sin),
+    ("cos", own::f32::cos),
+    ("tan", own::f32::tan),
+    ("ln", own::f32::ln),
+    ("exp", own::f32::exp),
+    ("atan", own::f32::atan),
+    ("tanh", own::f32::tanh),
+];
+
+/// Prints a hash of the results of every 2^24 numbers.
+const HASHES: &str = "#include <stdio.h>
+int main(void)
+{
+    uint32_t hash = 0U;
+    uint32_t number = 0U;
+    do {
+        const float y = FUNCTION(own_float(number));
+        hash = (hash ^ ((y != y) ? 0x7fc00000U : own_bits(y))) * 16777619U;
+        number++;
+        if ((number & 0xffffffU) == 0U) {
+            printf(\"%lu\\n\", (unsigned long)hash);
+        }
+    } while (number != 0U);
+    return 0;
+}
+";
+
+/// What the prover takes for granted about a result.
+fn granted(name: &str, x: f32, y: f32) -> bool {
+    let bounded = match name {
+        "sin" | "cos" | "tanh" => y.is_nan() || y.abs() <= 1.0,
+        "atan" => y.is_nan() || y.abs() <= std::f32::consts::FRAC_PI_2,
+        "exp" => y.is_nan() == x.is_nan() && (y.is_nan() || y >= 0.0) && (x > 2.0 || x.is_nan() || y < 7.5),
+        "ln" => y.is_nan() || x > 8000.0 || y < 9.0,
+        _ => true,
+    };
+    bounded && (!x.is_nan() || y.is_nan())
+}
+
+#[test]
+#[ignore = "minutes: cargo xtask lemmas runs it"]
+fn the_provers_definition_is_this_for_every_number() {
+    if !tpg_testing::tool("gcc", "gcc", "the prover's own maths") {
+        return;
+    }
+    let definition = concat!(env!("CARGO_MANIFEST_DIR"), "/../tpg-codegen/prove/src/own_maths.c");
+    let folder = std::env::temp_dir();
+    for (name, function) in PROVEN {
+        let program = folder.join(format!("own_{name}_{}", std::process::id()));
+        let source = program.with_extension("c");
+        let text = HASHES.replace("FUNCTION", &format!("own_{name}"));
+        std::fs::write(&source, format!("#include \"{definition}\"\n{text}")).expect("a temporary file");
+        let mut gcc = Command::new("gcc");
+        gcc.args(["-O2", "-ffp-contract=off", "-Wno-unused-function"]).arg(&source).arg("-o").arg(&program);
+        assert!(gcc.status().expect("gcc starts").success());
+        let child = Command::new(&program).stdout(Stdio::piped()).spawn().expect("it starts");
+        let mut hash = 0_u32;
+        let hashes: Vec<String> = (0..256_u32)
+            .map(|block| {
+                for number in 0..1 << 24 {
+                    let x = f32::from_bits(block << 24 | number);
+                    let y = function(x);
+                    assert!(granted(name, x, y), "{name} of {x:e} is {y:e}");
+                    hash = (hash ^ if y.is_nan() { 0x7fc0_0000 } else { y.to_bits() }).wrapping_mul(16_777_619);
+                }
+                hash.to_string()
+            })
+            .collect();
+        let printed = child.wait_with_output().expect("it ends").stdout;
+        let printed = String::from_utf8(printed).expect("numbers");
+        assert!(printed.lines().eq(&hashes), "{name}");
+        for file in [source, program] {
+            std::fs::remove_file(file).expect("it was there");
+        }
     }
 }

@@ -204,6 +204,11 @@ impl Run {
                 let mut tests = cargo(&words);
                 tests.env("TPG_SOLVER", venv.join("bin/python"));
                 self.tests("lemmas", tests);
+                let ignored = |package, test: &[&str]| {
+                    cargo(&[&["test", "--release", "--package", package], test, &["--", "--ignored"]].concat())
+                };
+                self.tests("own maths for every number", ignored("tpg-runtime", &["--test", "own_maths"]));
+                self.tests("a million operands of each instruction", ignored("tpg-prove", &["--test", "all"]));
             }
             Err(error) => self.failed("lemmas", &error),
         }

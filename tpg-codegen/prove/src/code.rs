@@ -20,6 +20,7 @@ pub(crate) enum Computed {
     Arithmetic(Arithmetic),
     Negative,
     Magnitude,
+    Root,
     OfInteger(bool),
     /// The second where the first is not 0, else the third
     If,
@@ -200,6 +201,7 @@ pub(crate) fn value(
         Computed::Arithmetic(operation) => Value::Float(terms.arithmetic(operation, float(0), float(1))),
         Computed::Negative => Value::Float(terms.negate(float(0))),
         Computed::Magnitude => Value::Float(terms.magnitude(float(0))),
+        Computed::Root => Value::Float(terms.root(float(0))),
         Computed::OfInteger(signed) => Value::Float(terms.of_integer(signed, word(0))),
         Computed::Same(width) => truth(terms.same(width, word(0), word(1))),
         Computed::Below(signed, width) => truth(terms.below(signed, width, word(0), word(1))),

@@ -1,4 +1,5 @@
-/* Own maths as the prover defines it: sin, cos, tan, ln and exp of binary32. Read by the prover's own reader of C; a test
+/* Own maths as the prover defines it: sin, cos, tan, ln, exp, atan and tanh of
+ * binary32. Read by the prover's own reader of C; a test
  * compares it with tpg-runtime. Code is proven to compute the same terms, whatever its text. */
 #include <stdint.h>
 #include <string.h>
@@ -205,6 +206,66 @@ static float own_exp(float x)
     return own_float(own_bits(p) | (not_a_number & 0x7fc00000U));
 }
 
+/* The bits of the number for this range: below sqrt(2) - 1, above sqrt(2) + 1, or between them. */
+static float own_of_range(uint32_t low, uint32_t high, float of_low, float of_middle, float of_high)
+{
+    const uint32_t upper = own_choose(high, own_bits(of_high), own_bits(of_middle));
+    return own_float(own_choose(low, own_bits(of_low), upper));
+}
+
+static float own_atan(float x)
+{
+    const uint32_t bits = own_bits(x);
+    const uint32_t magnitude = bits & 0x7fffffffU;
+    const float a = own_float(magnitude);
+
+    /* pi/4 + arctan((a - 1) / (a + 1)), pi/2 + arctan(-1 / a): whichever leaves a small argument */
+    const uint32_t low = own_mask(magnitude - 0x3ed413cdU);
+    const uint32_t high = own_mask(0x401a827aU - magnitude);
+    const float above = own_of_range(low, high, a, a - 1.0f, -1.0f);
+    const float below = own_of_range(low, high, 1.0f, a + 1.0f, a);
+    const float offset = own_of_range(low, high, 0.0f, 0.7853982f, 1.5707964f);
+    const float rest = own_of_range(low, high, 0.0f, -2.1855694e-8f, -4.371139e-8f);
+    const float t = above / below;
+    const float s = t * t;
+    float p = 0.08054265f * s;
+    p = p + -0.13877875f;
+    p = p * s;
+    p = p + 0.19977732f;
+    p = p * s;
+    p = p + -0.3333295f;
+    p = p * s;
+    p = p * t;
+    p = p + rest;
+    p = t + p;
+    p = offset + p;
+    return own_float(own_bits(p) | (bits & 0x80000000U));
+}
+
+static float own_tanh(float x)
+{
+    const uint32_t bits = own_bits(x);
+    const uint32_t magnitude = bits & 0x7fffffffU;
+    const float a = own_float(magnitude);
+
+    /* 1 - 2 / (e^2a + 1), where that does not cancel */
+    const float grown = own_exp(a + a);
+    const float part = 2.0f / (grown + 1.0f);
+    const float far = 1.0f - part;
+    const uint32_t small = own_mask(magnitude - 0x3f0ccccdU); /* below 0.55 */
+    const float s = a * a;
+    float p = 0.0164371f * s;
+    p = p + -0.052671693f;
+    p = p * s;
+    p = p + 0.13320726f;
+    p = p * s;
+    p = p + -0.33332947f;
+    p = p * s;
+    p = p * a;
+    p = a + p;
+    return own_float(own_choose(small, own_bits(p), own_bits(far)) | (bits & 0x80000000U));
+}
+
 typedef struct own_argument { float x; } own_argument_t;
 typedef struct own_result { float y; } own_result_t;
 
@@ -231,4 +292,14 @@ static void own_ln_of(const own_argument_t *argument, own_result_t *result)
 static void own_exp_of(const own_argument_t *argument, own_result_t *result)
 {
     result->y = own_exp(argument->x);
+}
+
+static void own_atan_of(const own_argument_t *argument, own_result_t *result)
+{
+    result->y = own_atan(argument->x);
+}
+
+static void own_tanh_of(const own_argument_t *argument, own_result_t *result)
+{
+    result->y = own_tanh(argument->x);
 }

@@ -135,6 +135,7 @@ impl<'a> Comparison<'a> {
     /// # Errors
     /// What no rule decides.
     pub fn prove(&mut self) -> Result<()> {
+        self.meaning.functions(&self.terms);
         match self.walk(true) {
             Ok(()) => Ok(()),
             // once more with all that held on the way

@@ -56,7 +56,7 @@ fn another_way_to_find_the_winner_is_proven() {
             case 1: return STAY;
             default: break;
             }
-            for (int i = 0; i < 3; i++) { if (i == 2) goto end; }
+            for (int i = 0; i < 3; i++) { switch (i) { case 0: continue; default: break; } if (i == 2) goto end; }
         end:
             return s->x - s->y[1] > 0.5f ? LEFT : RIGHT;
         }";
@@ -218,6 +218,29 @@ fn own_maths_is_compared_as_it_is_written() {
     assert_ne!(maths, other);
     let proof = proof_of(&graph, &format!("{other}\n{body}"));
     assert!(!matches!(proof.verdict, Verdict::Proven), "{proof}");
+}
+
+#[test]
+fn code_may_skip_functions_that_cannot_matter() {
+    let body = |word: &str, unless: &str| {
+        GOOD.replace("    const float stay = fabsf(s->y[1]);\n", "").replace(
+            "if (stay >= best) way = STAY;",
+            &format!("if (!({unless})) {{ if (own_{word}(s->y[1]) >= best) way = STAY; }}"),
+        )
+    };
+    let maths = include_str!("../src/own_maths.c");
+    for (word, skipped, too_often) in [
+        ("cos", "best > 1.0f", "best > 0.9f"),
+        ("sin", "best > 1.0f", "best >= 1.0f"),
+        ("exp", "s->y[1] <= 2.0f && best >= 7.5f", "s->y[1] <= 2.0f && best >= 7.0f"),
+        ("ln", "s->y[1] <= 8000.0f && best >= 9.0f", "best >= 9.0f"),
+    ] {
+        let graph = GRAPH.replace(r#""abs""#, &format!("\"{word}\""));
+        for (unless, is_proven) in [(skipped, true), (too_often, false)] {
+            let proof = proof_of(&graph, &format!("{maths}\n{}", body(word, unless)));
+            assert_eq!(matches!(proof.verdict, Verdict::Proven), is_proven, "{word}, {unless}: {proof}");
+        }
+    }
 }
 
 #[test]

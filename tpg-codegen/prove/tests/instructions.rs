@@ -16,7 +16,7 @@ fn forms() -> Vec<String> {
     for name in ["add", "sub", "mul", "div", "nmul", "mla", "mls", "nmla", "nmls"] {
         add(&format!("v{name}.f32 s4, s1, s2"));
     }
-    for name in ["vneg.f32", "vabs.f32", "vmov.f32", "vcvt.f32.s32", "vcvt.f32.u32"] {
+    for name in ["vneg.f32", "vabs.f32", "vsqrt.f32", "vmov.f32", "vcvt.f32.s32", "vcvt.f32.u32"] {
         add(&format!("{name} s4, s1"));
     }
     for text in ["vmov r4, s1", "vmov s4, r1", "vmov.f32 s4, #1.5", "vmov.f32 s4, #-31.0", "vmov.f32 s4, #0.125"] {
@@ -198,10 +198,20 @@ fn followed(object: &mut Object, terms: &Terms, point: Point) -> Result<Vec<Floa
 
 #[test]
 fn forms_compute_what_the_processor_does() {
+    compare(tpg_testing::amount(200, 2_000));
+}
+
+#[test]
+#[ignore = "minutes: cargo xtask lemmas runs it"]
+fn forms_compute_what_the_processor_does_on_a_million_operands() {
+    compare(1_000_000);
+}
+
+/// Compares all forms on so many operands each.
+fn compare(states: usize) {
     if !tools("the meaning of instructions against QEMU") {
         return;
     }
-    let states = tpg_testing::amount(200, 2_000);
     let forms = forms();
     let folder = tempfile::TempDir::new().expect("a temporary folder");
     std::fs::write(folder.path().join("forms.s"), assembly(&forms)).expect("the folder can be written");

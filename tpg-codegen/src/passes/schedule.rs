@@ -10,6 +10,7 @@ use super::collect;
 use super::interval;
 use crate::ir::{Leaf, Module, Node, NodeId, Successor, Values};
 use Instruction::*;
+use tpg_graph::ScalarType;
 use tpg_runtime::ops::Instruction;
 
 /// A bid of a team.
@@ -139,7 +140,7 @@ pub(crate) fn schedule(module: &Module<'_>) -> Schedule {
     let cheap = cheap_nodes(module);
     let mut values = Values::new(module.nodes.clone());
     // Estimates take more flash than all bids of a small graph, which they would seldom spare.
-    let estimates = module.edges() > FEW_EDGES;
+    let estimates = module.edges() > FEW_EDGES && module.graph.scalar() == ScalarType::F64;
     let mut bounds = Bounds::new(arithmetic, &intervals, &cheap, &mut values, estimates);
     let planner = Planner { module, cheap: &cheap };
     let mut plans: Vec<TeamSchedule> = (0..module.teams.len()).map(|team| planner.plan(team, &mut bounds)).collect();

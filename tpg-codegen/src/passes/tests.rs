@@ -1,7 +1,7 @@
 //! Properties that the fast profile relies on: its plans look at every bid once, and the bids they leave out cannot win.
 
 use crate::ir::{Module, Node, NodeId, needed};
-use crate::passes::estimate::{Estimate, numbers};
+use crate::passes::estimate::{EXP_BELOW, EXP_BETWEEN, EXP_INFINITE_ABOVE, EXP_OFFSET, EXP_SCALE, LN_OFFSET, LN_SCALE};
 use crate::passes::optimise;
 use crate::passes::schedule::{Bid, Schedule, Sparing, TeamSchedule, schedule};
 use tpg_graph::sample::{self, Shape};
@@ -26,42 +26,23 @@ fn apply<S: Scalar, M: Maths<S>>(instruction: Instruction, a: f64, b: f64) -> f6
 }
 
 /// The estimate that generated code computes: not below the function's value, or NaN.
-pub(super) fn upper(scalar: ScalarType, instruction: Instruction, x: f64) -> f64 {
-    let numbers = numbers(scalar);
-    let Estimate { exp_between: (least, greatest), exp_scale, exp_offset, exp_below, .. } = numbers;
-    let Estimate { exp_infinite_above, ln_scale, ln_offset, .. } = numbers;
+pub(super) fn upper(instruction: Instruction, x: f64) -> f64 {
+    let (least, greatest) = EXP_BETWEEN;
     if instruction == Instruction::Exp {
-        return if least <= x && x <= greatest {
-            match scalar {
-                ScalarType::F32 => {
-                    let whole = (x as f32 * exp_scale as f32) as i32;
-                    f64::from(f32::from_bits((whole as u32).wrapping_add(exp_offset as u32)))
-                }
-                ScalarType::F64 => f64::from_bits(((x * exp_scale) as i64 as u64).wrapping_add(exp_offset)),
-            }
+        if least <= x && x <= greatest {
+            f64::from_bits(((x * EXP_SCALE) as i64 as u64).wrapping_add(EXP_OFFSET))
         } else if x < least {
-            exp_below
-        } else if x > exp_infinite_above {
+            EXP_BELOW
+        } else if x > EXP_INFINITE_ABOVE {
             f64::INFINITY
         } else {
             f64::NAN
-        };
-    }
-    let (tiniest, greatest) = match scalar {
-        ScalarType::F32 => (f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX)),
-        ScalarType::F64 => (f64::MIN_POSITIVE, f64::MAX),
-    };
-    if tiniest <= x && x <= greatest {
-        match scalar {
-            ScalarType::F32 => {
-                let whole = (x as f32).to_bits() as i32;
-                f64::from(whole as f32 * ln_scale as f32 - ln_offset as f32)
-            }
-            ScalarType::F64 => x.to_bits() as i64 as f64 * ln_scale - ln_offset,
         }
+    } else if (f64::MIN_POSITIVE..=f64::MAX).contains(&x) {
+        x.to_bits() as i64 as f64 * LN_SCALE - LN_OFFSET
     } else if x <= 0.0 {
         f64::NEG_INFINITY
-    } else if x > greatest {
+    } else if x > f64::MAX {
         f64::INFINITY
     } else {
         f64::NAN
@@ -82,9 +63,7 @@ fn evaluate(graph: &Graph, nodes: &[Node], state: &[f64]) -> Vec<f64> {
             Node::Constant(bits) => f64::from_bits(bits),
             Node::Input(input) => state[input.index()],
             Node::Operation(instruction, [a, b]) => apply(instruction, values[a.index()], values[b.index()]),
-            Node::Upper(instruction, value) => {
-                graph.scalar().round(upper(graph.scalar(), instruction, values[value.index()]))
-            }
+            Node::Upper(instruction, value) => upper(instruction, values[value.index()]),
         });
     }
     values

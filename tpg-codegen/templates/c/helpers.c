@@ -133,19 +133,19 @@ static {{ scalar }} {{ prefix }}_exp({{ scalar }} x)
 {% endif %}
 
 /* A cheap upper bound of the logarithm: the bits of a number are a straight line between powers of two through it. */
-static {{ scalar }} {{ prefix }}_ln_upper({{ scalar }} x)
+static double {{ prefix }}_ln_upper(double x)
 {
-    {{ scalar }} bound = {% if f64 %}(double)NAN{% else %}NAN{% endif %}; /* no bound */
+    double bound = (double)NAN; /* no bound */
 
-    if ((x >= {% if f64 %}DBL_MIN{% else %}FLT_MIN{% endif %}) && (x <= {% if f64 %}DBL_MAX{% else %}FLT_MAX{% endif %})) {
-        {{ signed }} bits;
+    if ((x >= DBL_MIN) && (x <= DBL_MAX)) {
+        int64_t bits;
 
         (void)memcpy(&bits, &x, sizeof bits);
-        bound = (({{ scalar }})bits * {{ self.literal(estimate.ln_scale) }}) - {{ self.literal(estimate.ln_offset) }};
-    } else if (x <= {{ zero }}) {
-        bound = {% if f64 %}-(double)INFINITY{% else %}-INFINITY{% endif %}; /* NaN also bids that */
-    } else if (x > {% if f64 %}DBL_MAX{% else %}FLT_MAX{% endif %}) {
-        bound = {% if f64 %}(double)INFINITY{% else %}INFINITY{% endif %};
+        bound = ((double)bits * {{ self.literal(&estimate::LN_SCALE) }}) - {{ self.literal(&estimate::LN_OFFSET) }};
+    } else if (x <= 0.0) {
+        bound = -(double)INFINITY; /* NaN also bids that */
+    } else if (x > DBL_MAX) {
+        bound = (double)INFINITY;
     } else {
         /* no change */
     }
@@ -154,20 +154,20 @@ static {{ scalar }} {{ prefix }}_ln_upper({{ scalar }} x)
 
 /* A cheap upper bound of the exponential: the bits of a number are a straight line between powers of two through its
  * logarithm. */
-static {{ scalar }} {{ prefix }}_exp_upper({{ scalar }} x)
+static double {{ prefix }}_exp_upper(double x)
 {
-    {{ scalar }} bound = {% if f64 %}(double)NAN{% else %}NAN{% endif %}; /* no bound */
+    double bound = (double)NAN; /* no bound */
 
-    if ((x >= {{ self.literal(estimate.exp_between.0) }}) && (x <= {{ self.literal(estimate.exp_between.1) }})) {
-        const {{ scalar }} scaled = x * {{ self.literal(estimate.exp_scale) }};
-        const {{ signed }} whole = ({{ signed }})scaled;
-        const {{ key }} bits = ({{ key }})whole + {{ "{:#x}"|format(estimate.exp_offset) }}{{ unsigned_suffix }};
+    if ((x >= {{ self.literal(&estimate::EXP_BETWEEN.0) }}) && (x <= {{ self.literal(&estimate::EXP_BETWEEN.1) }})) {
+        const double scaled = x * {{ self.literal(&estimate::EXP_SCALE) }};
+        const int64_t whole = (int64_t)scaled;
+        const uint64_t bits = (uint64_t)whole + {{ "{:#x}"|format(estimate::EXP_OFFSET) }}ULL;
 
         (void)memcpy(&bound, &bits, sizeof bound);
-    } else if (x < {{ self.literal(estimate.exp_between.0) }}) {
-        bound = {{ self.literal(estimate.exp_below) }};
-    } else if (x > {{ self.literal(estimate.exp_infinite_above) }}) {
-        bound = {% if f64 %}(double)INFINITY{% else %}INFINITY{% endif %};
+    } else if (x < {{ self.literal(&estimate::EXP_BETWEEN.0) }}) {
+        bound = {{ self.literal(&estimate::EXP_BELOW) }};
+    } else if (x > {{ self.literal(&estimate::EXP_INFINITE_ABOVE) }}) {
+        bound = (double)INFINITY;
     } else {
         /* no change */
     }

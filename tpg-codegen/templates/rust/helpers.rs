@@ -29,31 +29,31 @@ fn {{ name }}(x: {{ scalar }}) -> {{ scalar }} {
 {% endfor %}
 
 /// A cheap upper bound of the logarithm: the bits of a number are a straight line between powers of two through it.
-fn ln_upper(x: {{ scalar }}) -> {{ scalar }} {
-    if x >= {{ scalar }}::MIN_POSITIVE && x <= {{ scalar }}::MAX {
-        x.to_bits() as {{ signed }} as {{ scalar }} * {{ self.literal(estimate.ln_scale) }} - {{ self.literal(estimate.ln_offset) }}
-    } else if x <= {{ zero }} {
+fn ln_upper(x: f64) -> f64 {
+    if x >= f64::MIN_POSITIVE && x <= f64::MAX {
+        x.to_bits() as i64 as f64 * {{ self.literal(&estimate::LN_SCALE) }} - {{ self.literal(&estimate::LN_OFFSET) }}
+    } else if x <= 0.0 {
         // NaN also bids that.
-        {{ scalar }}::NEG_INFINITY
-    } else if x > {{ scalar }}::MAX {
-        {{ scalar }}::INFINITY
+        f64::NEG_INFINITY
+    } else if x > f64::MAX {
+        f64::INFINITY
     } else {
-        {{ scalar }}::NAN
+        f64::NAN
     }
 }
 
 /// A cheap upper bound of the exponential: the bits of a number are a straight line between powers of two through its
 /// logarithm.
-fn exp_upper(x: {{ scalar }}) -> {{ scalar }} {
-    if x >= {{ self.literal(estimate.exp_between.0) }} && x <= {{ self.literal(estimate.exp_between.1) }} {
-        let whole = (x * {{ self.literal(estimate.exp_scale) }}) as {{ signed }};
-        {{ scalar }}::from_bits((whole as {{ unsigned }}).wrapping_add({{ "{:#x}"|format(estimate.exp_offset) }}))
-    } else if x < {{ self.literal(estimate.exp_between.0) }} {
-        {{ self.literal(estimate.exp_below) }}
-    } else if x > {{ self.literal(estimate.exp_infinite_above) }} {
-        {{ scalar }}::INFINITY
+fn exp_upper(x: f64) -> f64 {
+    if x >= {{ self.literal(&estimate::EXP_BETWEEN.0) }} && x <= {{ self.literal(&estimate::EXP_BETWEEN.1) }} {
+        let whole = (x * {{ self.literal(&estimate::EXP_SCALE) }}) as i64;
+        f64::from_bits((whole as u64).wrapping_add({{ "{:#x}"|format(estimate::EXP_OFFSET) }}))
+    } else if x < {{ self.literal(&estimate::EXP_BETWEEN.0) }} {
+        {{ self.literal(&estimate::EXP_BELOW) }}
+    } else if x > {{ self.literal(&estimate::EXP_INFINITE_ABOVE) }} {
+        f64::INFINITY
     } else {
-        {{ scalar }}::NAN
+        f64::NAN
     }
 }
 

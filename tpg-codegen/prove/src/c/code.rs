@@ -23,7 +23,7 @@ pub(super) enum Operation {
 pub(super) struct Object {
     pub(super) start: u32,
     pub(super) end: u32,
-    pub(super) array: bool,
+    pub(super) aggregate: bool,
 }
 
 /// Where constants begin.
@@ -55,7 +55,7 @@ impl Program {
         (address < object.end).then_some(object)
     }
 
-    pub(super) fn is_array(&self, address: u32) -> bool {
-        self.object(address).is_some_and(|object| object.array)
+    pub(super) fn is_aggregate(&self, address: u32) -> bool {
+        self.object(address).is_some_and(|object| object.aggregate)
     }
 }

@@ -18,19 +18,17 @@ pub struct Code {
     joins: BTreeSet<usize>,
     /// The cells at first
     first: Cells,
-    /// This text defines what functions mean: that its indices are in bounds is known
-    defines: bool,
 }
 
 impl Code {
-    pub(super) fn new(file: &str, program: Program, interface: &Interface, defines: bool) -> Self {
+    pub(super) fn new(file: &str, program: Program, interface: &Interface) -> Self {
         let targets = program.operations.iter().filter_map(|(_, operation)| match operation {
             Operation::Branch(_, to) | Operation::Jump(to, _) => Some(*to),
             _ => None,
         });
         let joins = targets.chain(program.heads.keys().copied()).collect();
         let (file, interface) = (file.to_owned(), interface.clone());
-        Self { file, program, interface, joins, first: Cells::new(), defines }
+        Self { file, program, interface, joins, first: Cells::new() }
     }
 
     /// The result for a float as the only input.
@@ -53,7 +51,7 @@ impl Code {
     /// Executes an operation; where it goes if that is not behind it.
     fn executed(&self, terms: &Terms, at: usize, mut state: State) -> Found<Followers> {
         let facts = terms.parts(state.guard);
-        let here = Here { program: &self.program, terms, cells: &state.cells, defines: self.defines, facts: &facts };
+        let here = Here { program: &self.program, terms, cells: &state.cells, facts: &facts };
         match &self.program.operations[at].1 {
             Operation::Set(address, value, is_float) => {
                 let (address, value) = (here.word(address)?, here.value(value)?);
@@ -118,9 +116,9 @@ impl Machine for Code {
     /// Cuts at labels, and where nothing is being computed.
     fn cut(&mut self, terms: &Terms, at: usize, state: &mut State) -> Option<Vec<(Bool, Point)>> {
         let also_alive = *self.program.heads.get(&at)?;
-        let is_array = |cell: &Cell| matches!(*cell, Cell::Variable(address) if self.program.is_array(address));
+        let is_aggregate = |cell: &Cell| matches!(*cell, Cell::Variable(address) if self.program.is_aggregate(address));
         let mut new = state.cells.iter().filter(|(cell, value)| self.first.get(cell) != Some(value));
-        let idle = new.all(|(cell, value)| !matches!(value, Value::Float(_)) || is_array(cell));
+        let idle = new.all(|(cell, value)| !matches!(value, Value::Float(_)) || is_aggregate(cell));
         (idle || also_alive).then(|| state.points(terms, at))
     }
 

@@ -49,7 +49,7 @@ pub fn read_with(
             }
         }
     };
-    Ok(Code::new(file, compiler.policy(&name, interface)?, interface, false))
+    Ok(Code::new(file, compiler.policy(&name, interface)?, interface))
 }
 
 /// Executes a function of one float from a text that defines what it means.
@@ -57,5 +57,5 @@ pub(crate) fn definition(file: &str, text: &str, name: &str, terms: &Terms, argu
     let compiler = Compiler::read(file, token::tokens(file, text, &|_| None)?, false)?;
     let (sources, outputs) = (vec![("x".to_owned(), 1)], vec!["y".to_owned()]);
     let interface = Interface { sources, outputs, ..Interface::default() };
-    Code::new(file, compiler.policy(name, &interface)?, &interface, true).of_float(terms, argument)
+    Code::new(file, compiler.policy(name, &interface)?, &interface).of_float(terms, argument)
 }

@@ -3,6 +3,7 @@
 use super::code::{CONSTANTS, Program};
 use crate::code::{self, Computed, Expression, Found};
 use crate::machine::{Cell, Cells, Value};
+use crate::order::together;
 use crate::term::word::computed;
 use crate::term::{Bool, Node, Operator::*, Terms, Width::*, Word};
 use std::collections::BTreeSet;
@@ -12,8 +13,6 @@ pub(super) struct Here<'a> {
     pub(super) program: &'a Program,
     pub(super) terms: &'a Terms,
     pub(super) cells: &'a Cells,
-    /// That indices are in bounds is known
-    pub(super) defines: bool,
     /// They hold here
     pub(super) facts: &'a [Bool],
 }
@@ -47,22 +46,22 @@ impl Here<'_> {
             let range = (object.start - CONSTANTS) as usize..(object.end - CONSTANTS) as usize;
             let table = self.program.constants[range].into();
             let index = terms.apply(Add, W32, index, terms.number(base - u64::from(object.start)));
-            self.bounded(index, object.end - object.start, false)?;
+            self.bounded(index, object.end - object.start)?;
             return Ok(Value::Word(terms.element(&table, index)));
         }
         Err("an index that is a constant")
     }
 
-    /// Checks that an index is below a length. One that a definition uses is, where that `asks` for it.
-    fn bounded(&self, index: Word, length: u32, asks: bool) -> Found<()> {
-        if largest(self.terms, index) < u64::from(length) || self.terms.is_granted(index, length) {
+    /// Proves that an index is below a length.
+    fn bounded(&self, index: Word, length: u32) -> Found<()> {
+        let terms = self.terms;
+        if largest(terms, index) < u64::from(length) {
             return Ok(());
         }
-        if self.defines && asks {
-            self.terms.grant(index, length);
-            return Ok(());
-        }
-        Err("an index that is in bounds")
+        let within = terms.within(index, W32, &[(0, u64::from(length) - 1)]);
+        let outside = terms.all(self.facts.iter().copied().chain([!within]));
+        let found = together(terms, outside, [&[Terms::TRUE], &[Terms::TRUE]], CASES);
+        if found.is_some_and(|found| found.pairs.is_empty()) { Ok(()) } else { Err("an index that is in bounds") }
     }
 
     pub(super) fn word(&self, expression: &Expression) -> Found<Word> {
@@ -80,7 +79,7 @@ impl Here<'_> {
         match (name, values) {
             (Computed::Loaded(_), _) => code::loaded(terms, first, &|address| self.loaded(address)),
             (Computed::Bounded(length), _) => {
-                self.bounded(first, length, true)?;
+                self.bounded(first, length)?;
                 let largest = largest(terms, first);
                 let is_choice = largest < FEW && terms.numbers(first).is_none();
                 Ok(Value::Word(if is_choice { each(terms, first, largest) } else { first }))
@@ -103,6 +102,8 @@ impl Here<'_> {
     }
 }
 
+/// Cases of a proof that an index is in bounds.
+const CASES: u64 = 1_000;
 /// Symbolic indices up to here become choices of constants.
 const FEW: u64 = 4;
 

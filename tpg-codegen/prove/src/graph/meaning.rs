@@ -22,6 +22,15 @@ impl<'g> Meaning<'g> {
         Self { graph, maths: Maths::default(), programs: HashMap::new(), teams: HashMap::new() }
     }
 
+    /// Gives the functions of all programs their names, before code computes them. What has no meaning is told where a team needs it.
+    pub(crate) fn functions(&mut self, terms: &Terms) {
+        for (program, lines) in self.graph.programs.iter().enumerate() {
+            if lines.iter().any(|line| own(&line.word).is_some()) {
+                let _ = self.program(terms, program);
+            }
+        }
+    }
+
     /// The result of a program: its lines in order, on registers that are zero at first.
     fn program(&mut self, terms: &Terms, program: usize) -> Result<Float> {
         if let Some(&known) = self.programs.get(&program) {
@@ -69,11 +78,16 @@ impl<'g> Meaning<'g> {
             ("gate", &[a, b]) => terms.choose_float(terms.equal(b, constant(0.0)), constant(-0.0), a),
             ("copy", &[a]) => a,
             ("abs", &[a]) => terms.magnitude(a),
-            (word, &[a]) if WORDS.contains(&word) && self.graph.own_maths && !is_whole => {
-                self.maths.apply(terms, word, a)?
+            ("sqrt", &[a]) if !is_whole => terms.root(a),
+            (word, &[a])
+                if self.graph.own_maths
+                    && !is_whole
+                    && let Some(function) = own(word) =>
+            {
+                self.maths.apply(terms, function, a)?
             }
             (word, _) => {
-                let whose = if WORDS.contains(&word) && !self.graph.own_maths { "platform's" } else { "word" };
+                let whose = if own(word).is_some() && !self.graph.own_maths { "platform's" } else { "word" };
                 let of = if is_whole { " of whole numbers" } else { "" };
                 return Err(Missing::new("graph", format!("the meaning of the {whose} `{word}`{of}")));
             }
@@ -136,6 +150,11 @@ impl<'g> Meaning<'g> {
         }
         Ok(terms.all(conditions))
     }
+}
+
+/// The name of a function of own maths.
+fn own(word: &str) -> Option<&'static str> {
+    WORDS.into_iter().find(|&own| own == word)
 }
 
 /// Tests whether bid `a` is as high as bid `b`; a NaN counts as minus infinity.

@@ -1,6 +1,8 @@
 //! The transitive closure of what is assumed about an order.
 
-use crate::term::{Arithmetic, Float, INFINITY, NEGATIVE_ZERO, Node, Terms};
+use super::bound::Bounds;
+use crate::maths::{LIMITS, STEPS};
+use crate::term::{Arithmetic, Float, INFINITY, NEGATIVE_ZERO, Node, Terms, rank};
 use Arithmetic::*;
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -58,6 +60,7 @@ impl Closure {
             }
         }
         let mut roots = HashMap::new();
+        let mut bounds = Bounds::new(terms, elements);
         for (at, &element) in elements.iter().enumerate().skip(constants.len()) {
             if terms.bits_of(elements[constants.len() - 1]) == Some(INFINITY) {
                 order.link((at, constants.len() - 1, false));
@@ -72,9 +75,29 @@ impl Closure {
                     }
                 }
             }
-            facts.extend(nan_alike(at, *roots.entry(nan_root(terms, element)).or_insert(at)));
-            let Node::Arithmetic(operation, a, b) = terms.of_float(element) else { continue };
             let place = |operand: Float| places.get(&terms.zero_free(operand)).copied();
+            if let Node::Own(function, argument, _) = terms.of_float(element) {
+                facts.extend(place(argument).into_iter().flat_map(|argument| nan_with(argument, at)));
+                let lowest = if function == "exp" { 0.0 } else { f32::NEG_INFINITY };
+                let lowest = LIMITS.iter().find(|(name, _)| *name == function).map_or(lowest, |(_, limit)| -limit);
+                let lowest = constants.iter().rposition(|&constant| constant <= rank(lowest.to_bits()).into());
+                facts.extend(lowest.map(|lowest| alone((0, at, true), (lowest, at, false))));
+                for (_, from, to) in STEPS.into_iter().filter(|(name, ..)| *name == function) {
+                    let [argument, from, to] = [argument, terms.constant(from), terms.constant(to)].map(place);
+                    if let (Some(argument), Some(from), Some(to)) = (argument, from, to) {
+                        facts.push(((0, argument, true), (argument, from, false), (at, to, true)));
+                    }
+                }
+            }
+            if let Some(bounds) = &mut bounds {
+                let above = (1..count).filter(|&of| of != at && bounds.is_at_most(element, elements[of]));
+                facts.extend(above.map(|of| alone((0, of, true), (at, of, false))));
+            }
+            facts.extend(nan_alike(at, *roots.entry(nan_root(terms, element)).or_insert(at)));
+            if let Node::Root(a) = terms.of_float(element) {
+                facts.extend(place(a).into_iter().flat_map(|operand| nan_with(operand, at)));
+            }
+            let Node::Arithmetic(operation, a, b) = terms.of_float(element) else { continue };
             for (x, y) in [(a, b), (b, a)] {
                 let mirrored = place(terms.negate(terms.zero_free(y)));
                 facts.extend(place(y).into_iter().chain(mirrored).flat_map(|operand| nan_with(operand, at)));
@@ -173,7 +196,7 @@ fn nan_alike(a: usize, b: usize) -> impl Iterator<Item = Implication> {
 fn nan_root(terms: &Terms, mut term: Float) -> Float {
     loop {
         let inner = match terms.of_float(term) {
-            Node::Negative(a) | Node::Magnitude(a) => Some(a),
+            Node::Negative(a) | Node::Magnitude(a) | Node::Own("exp", a, _) => Some(a),
             Node::Arithmetic(operation, a, b) => nan_as(terms, operation, a, b),
             _ => None,
         };

@@ -4,6 +4,7 @@
 //! in the order, below minus infinity. What the order does not know, it takes to be possible, so that *never together* is a proof
 //! and *together* may be none.
 
+mod bound;
 mod closure;
 
 use crate::term::{Bool, Float, INFINITY, NAN, NEGATIVE_ZERO, Node::*, Terms, is_nan_bits, next_above};

@@ -120,6 +120,7 @@ pub(super) fn value_of(terms: &Terms, node: &Node, get: &mut dyn FnMut(u32) -> O
         }
         Negative(a) => canonical(float(a)? ^ NEGATIVE_ZERO),
         Magnitude(a) => canonical(float(a)? & !NEGATIVE_ZERO),
+        Root(a) => canonical(f32::from_bits(float(a)?).sqrt().to_bits()),
         Bits(a) => float(a).filter(|&bits| !is_nan_bits(bits))?.into(),
         True => 1,
         And(ref members) => {
@@ -139,6 +140,7 @@ pub(super) fn value_of(terms: &Terms, node: &Node, get: &mut dyn FnMut(u32) -> O
             let side = if truth(condition, get)? { a } else { b };
             get(side)?
         }
+        Own(_, _, definition) => get(definition.0)?,
         OfBits(word) => canonical(get(word.0)? as u32),
         OfInteger(signed, word) => {
             let number = get(word.0)? as u32;

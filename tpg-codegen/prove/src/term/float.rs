@@ -130,6 +130,11 @@ impl Terms {
         }
     }
 
+    /// The square root.
+    pub fn root(&self, a: Float) -> Float {
+        self.float(Root(a))
+    }
+
     /// A rounded operation.
     pub fn arithmetic(&self, operation: Arithmetic, a: Float, b: Float) -> Float {
         if self.is_whole(a) && self.is_whole(b) {

@@ -22,7 +22,7 @@ pub use rank::{INFINITY, NAN, NEGATIVE_ZERO, is_nan_bits, next_above, next_below
 use crate::input::{Missing, Result};
 use Node::*;
 use std::cell::{Cell, RefCell};
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
 /// A truth value. Its lowest bit negates the node that the others name.
@@ -122,8 +122,12 @@ pub enum Node {
     Negative(Float),
     /// `|a|`
     Magnitude(Float),
+    /// The square root, rounded
+    Root(Float),
     /// A choice between two floats
     FloatIf(Bool, Float, Float),
+    /// The value of a function, by the function's name, its argument and the term that defines it
+    Own(&'static str, Float, Float),
     /// The float with these 32 bits
     OfBits(Word),
     /// An integer rounded to binary32; of a signed or an unsigned 32-bit number
@@ -159,7 +163,6 @@ pub struct Terms {
     zero_free: RefCell<HashMap<Float, Float>>,
     leaves: RefCell<HashMap<u32, Rc<[u32]>>>,
     unknowns: Cell<u32>,
-    granted: RefCell<HashSet<(Word, u32)>>,
     /// The bits of the sources, if only one state is looked at
     state: Option<Vec<u32>>,
 }
@@ -177,7 +180,6 @@ impl Default for Terms {
             zero_free: RefCell::default(),
             leaves: RefCell::default(),
             unknowns: Cell::default(),
-            granted: RefCell::default(),
             state: None,
         };
         // the first nodes are the simplest ones of their kinds
@@ -204,16 +206,6 @@ impl Terms {
     #[must_use]
     pub fn for_state(state: &[u32]) -> Self {
         Self { state: Some(state.to_vec()), ..Self::default() }
-    }
-
-    /// Records that an index is below a length, because a definition uses it so.
-    pub(crate) fn grant(&self, index: Word, length: u32) {
-        self.granted.borrow_mut().insert((index, length));
-    }
-
-    /// Tests whether a definition uses an index below a length.
-    pub(crate) fn is_granted(&self, index: Word, length: u32) -> bool {
-        self.granted.borrow().contains(&(index, length))
     }
 
     /// The number of a node; that of a simpler one of its kind, if it is too deep.
@@ -243,6 +235,17 @@ impl Terms {
             Sum(_) => self.whole_of(Float(part)).map(|value| value as u64),
             _ => None,
         })
+    }
+
+    /// Gives the value of a function its name: from now on, the term that defines it is known by it.
+    pub(crate) fn named(&self, function: &'static str, argument: Float, definition: Float) -> Float {
+        let node = self.of_float(definition);
+        if matches!(node, Own(..)) || self.deepest_part(&node) == 0 {
+            return definition;
+        }
+        let named = self.node(Own(function, argument, definition), definition.0);
+        self.index.borrow_mut().insert(node, named);
+        Float(named)
     }
 
     /// Makes a truth value of a node.
@@ -412,6 +415,7 @@ fn visit_parts(node: &Node, visit: &mut dyn FnMut(u32)) {
         | IsNegativeNan(Float(a))
         | Negative(Float(a))
         | Magnitude(Float(a))
+        | Root(Float(a))
         | Bits(Float(a))
         | Shifted(Float(a), _)
         | Within(Word(a), _)
@@ -420,6 +424,7 @@ fn visit_parts(node: &Node, visit: &mut dyn FnMut(u32)) {
         | Element(_, Word(a)) => visit(a),
         AtMost(Float(a), Float(b))
         | Node::Arithmetic(_, Float(a), Float(b))
+        | Own(_, Float(a), Float(b))
         | Quotient(Float(a), Float(b))
         | Below(_, _, Word(a), Word(b))
         | Apply(_, _, Word(a), Word(b)) => [a, b].into_iter().for_each(visit),

@@ -5,6 +5,9 @@ use super::{Arithmetic, Bool, Float, Node, Operator, Terms, Width, Word};
 use Node::*;
 use Operator::*;
 
+/// The bits of every NaN.
+const NANS: [(u64, u64); 2] = [(0x7f80_0001, 0x7fff_ffff), (0xff80_0001, 0xffff_ffff)];
+
 impl Terms {
     /// Tests whether a word is in a set: closed intervals.
     pub fn within(&self, word: Word, width: Width, set: &[(u64, u64)]) -> Bool {
@@ -21,6 +24,7 @@ impl Terms {
                 return self.choose(condition, self.within(a, width, &set), self.within(b, width, &set));
             }
             Bits(float) => return self.float_within(float, &set),
+            _ if width == Width::W32 && set[..] == NANS => return self.is_nan(self.of_bits(word)),
             _ => {}
         }
         if set[0].0 == 0 {

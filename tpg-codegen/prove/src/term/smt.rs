@@ -142,9 +142,11 @@ impl<'t> Script<'t> {
             }
             Negative(Float(a)) => format!("(fp.neg n{a})"),
             Magnitude(Float(a)) => format!("(fp.abs n{a})"),
+            Root(Float(a)) => format!("(fp.sqrt RNE n{a})"),
             FloatIf(condition, Float(a), Float(b)) | WordIf(condition, Word(a), Word(b)) => {
                 format!("(ite {} n{a} n{b})", literal(condition))
             }
+            Own(_, _, Float(definition)) => format!("n{definition}"),
             OfBits(word) => format!("((_ to_fp 8 24) {})", operand(Width::W32, word)),
             OfInteger(signed, word) => {
                 let function = if signed { "to_fp" } else { "to_fp_unsigned" };

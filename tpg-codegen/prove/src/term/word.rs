@@ -1,7 +1,7 @@
 //! Machine words. Those that hold few numbers are choices of constants; the bits of floats are taken apart only as far as the order
 //! of floats goes.
 
-use super::rank::NEGATIVE_ZERO;
+use super::rank::{NAN, NEGATIVE_ZERO};
 use super::{Bool, Float, Node::*, Operator, Terms, Width, Word};
 use std::rc::Rc;
 
@@ -119,6 +119,10 @@ impl Terms {
             }
             Apply(Operator::And, Width::W32, a, b) if self.number_of(b) == Some(u64::from(!NEGATIVE_ZERO)) => {
                 self.magnitude(self.of_bits(a))
+            }
+            // ones where every NaN has them
+            Apply(Operator::Or, Width::W32, _, b) if self.number_of(b).is_some_and(|ones| ones as u32 & NAN == NAN) => {
+                self.constant_bits(NAN)
             }
             _ => self.float(OfBits(word)),
         }

@@ -8,7 +8,7 @@ use crate::elf::{Part, Relocation};
 use crate::machine::Region;
 use crate::term::Operator::{Add, And, Or, ShiftLeft, ShiftRight, Subtract, Xor};
 use crate::term::{Arithmetic, Terms};
-use Computed::{Base, Below, Compared, Completed, Loaded, Magnitude, Negative, OfInteger, Same, Unknown};
+use Computed::{Base, Below, Compared, Completed, Loaded, Magnitude, Negative, OfInteger, Root, Same, Unknown};
 use Expression::Number;
 
 /// The meaning of a form; `None` where it is unpredictable or left out.
@@ -193,6 +193,7 @@ pub(super) const FORMS: &[(&str, Meaning)] = &[
     ("11101110 1D11 0000 xxxx 1010 01M0 yyyy", |f| compute(to(f), register(from(f)))),
     ("11101110 1D11 0000 xxxx 1010 11M0 yyyy", |f| compute(to(f), of(Magnitude, [register(from(f))]))),
     ("11101110 1D11 0001 xxxx 1010 01M0 yyyy", |f| compute(to(f), of(Negative, [register(from(f))]))),
+    ("11101110 1D11 0001 xxxx 1010 11M0 yyyy", |f| compute(to(f), of(Root, [register(from(f))]))),
     // Which form of a comparison signals does not matter: exceptions are not observed.
     ("11101110 1D11 0100 xxxx 1010 .1M0 yyyy", |f| floats(to(f), register(from(f)))),
     ("11101110 1D11 0101 xxxx 1010 .100 0000", |f| floats(to(f), number(0))),

@@ -4,7 +4,7 @@ use super::expression::CPrinter;
 use crate::emit::helpers::called;
 use crate::emit::syntax::Syntax;
 use crate::passes::bound;
-use crate::passes::estimate::{self, Estimate};
+use crate::passes::estimate;
 use askama::Template;
 use tpg_graph::{MathsProvider, ScalarType};
 use tpg_runtime::ops::own::{f32 as single, f64 as double};
@@ -25,7 +25,6 @@ struct CHelpers<'a> {
     short: bool,
     /// Above the first number, an exponential is infinite; below the second, it is 0.
     beyond: (f64, f64),
-    estimate: Estimate,
     /// The quotients by 0 of a positive number, of a negative one, and of 0.
     by_zero: [String; 3],
     /// The literal in place of NaN, where every output has the same.
@@ -61,7 +60,6 @@ pub(super) fn render(printer: &CPrinter<'_>, body: &str) -> String {
         storage: if inlined { &inline } else { "static" },
         short: !is_own && printer.short_cuts,
         beyond: bound::beyond_exponentials(scalar),
-        estimate: estimate::numbers(scalar),
         by_zero: [BY_ZERO, -BY_ZERO, ZERO_BY_ZERO].map(|whole| printer.literal(scalar.round(whole.into()))),
         same_nan: printer.same_nan().map(|nan| printer.literal(nan)),
     };

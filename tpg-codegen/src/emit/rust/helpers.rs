@@ -4,9 +4,9 @@ use super::expression::RustPrinter;
 use crate::emit::helpers::called;
 use crate::emit::syntax::Syntax;
 use crate::passes::bound;
-use crate::passes::estimate::{self, Estimate};
+use crate::passes::estimate;
 use askama::Template;
-use tpg_graph::{MathsProvider, ScalarType};
+use tpg_graph::MathsProvider;
 
 #[derive(Template)]
 #[template(path = "rust/helpers.rs", escape = "none")]
@@ -21,9 +21,6 @@ struct RustHelpers<'a> {
     provider: &'a str,
     /// The functions that are called as they are.
     plain: &'a [&'a str],
-    signed: &'a str,
-    unsigned: &'a str,
-    estimate: Estimate,
 }
 
 impl RustHelpers<'_> {
@@ -36,7 +33,6 @@ impl RustHelpers<'_> {
 pub(super) fn render(printer: &RustPrinter<'_>, items: &str) -> String {
     let scalar = printer.graph.scalar();
     let short = printer.graph.maths() == MathsProvider::System;
-    let (signed, unsigned) = if scalar == ScalarType::F32 { ("i32", "u32") } else { ("i64", "u64") };
     let plain = ["sin", "cos", "tan", "atan", "tanh", "ln", "exp"];
     let helpers = RustHelpers {
         printer,
@@ -46,9 +42,6 @@ pub(super) fn render(printer: &RustPrinter<'_>, items: &str) -> String {
         beyond: bound::beyond_exponentials(scalar),
         provider: printer.provider(),
         plain: &plain[..if short { 5 } else { 7 }],
-        signed,
-        unsigned,
-        estimate: estimate::numbers(scalar),
     };
     called(&helpers.render().expect("the template renders"), items)
 }

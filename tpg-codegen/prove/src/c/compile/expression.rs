@@ -285,7 +285,7 @@ impl Compiler<'_> {
     }
 
     fn call(&mut self, name: &str) -> Result<Operand> {
-        let known = matches!(name, "memcpy" | "fabsf" | "INT64_C");
+        let known = matches!(name, "memcpy" | "fabsf" | "sqrtf" | "INT64_C");
         let function = if known { None } else { Some(self.function(name)?) };
         let mut arguments = self.list(")", Self::assigned)?;
         let Some(function) = function else {
@@ -299,7 +299,8 @@ impl Compiler<'_> {
                 return Ok(Operand::Value(self.converted(value, &Integer(8, true))?, Integer(8, true)));
             }
             let value = self.converted(value, &Float)?;
-            return Ok(Operand::Value(of(Computed::Magnitude, [value]), Float));
+            let computed = if name == "fabsf" { Computed::Magnitude } else { Computed::Root };
+            return Ok(Operand::Value(of(computed, [value]), Float));
         };
         Ok(match self.inlined(&function, arguments)? {
             Some((address, ty)) => Place(address, ty),

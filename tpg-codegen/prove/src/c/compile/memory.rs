@@ -44,7 +44,7 @@ impl Compiler<'_> {
     pub(super) fn allocate(&mut self, ty: &Type) -> u32 {
         let start = self.program.cells;
         let end = start + self.cells(ty).max(1);
-        self.program.objects.push(Object { start, end, array: matches!(ty, Array(..)) });
+        self.program.objects.push(Object { start, end, aggregate: matches!(ty, Array(..) | Struct(_)) });
         self.program.cells = end;
         start
     }
@@ -60,7 +60,7 @@ impl Compiler<'_> {
             cells[offset as usize] = self.constant_of(&value).ok_or_else(|| self.missing("a constant initialiser"))?;
         }
         self.program.constants.extend(cells);
-        self.program.objects.push(Object { start: address, end: address + self.cells(&ty).max(1), array: true });
+        self.program.objects.push(Object { start: address, end: address + self.cells(&ty).max(1), aggregate: true });
         Ok((number(address), ty))
     }
 

@@ -49,10 +49,11 @@ pub(super) struct Function {
     body: usize,
 }
 
-/// A loop or switch around a `break`.
+/// A loop or switch around a `break` or `continue`.
 #[derive(Default)]
 struct JumpTarget {
     breaks: Vec<usize>,
+    continues: Vec<usize>,
     /// Those of a switch: the numbers, none for the default, and where they are
     cases: Option<Vec<(Option<u64>, usize)>>,
     scopes: usize,
@@ -418,7 +419,7 @@ impl Compiler<'_> {
     /// The constant that a value is: a number, or the bits of a float.
     fn constant_of(&self, value: &Expression) -> Option<u64> {
         let (terms, cells) = (Terms::new(), Cells::new());
-        let here = Here { program: &self.program, terms: &terms, cells: &cells, defines: false, facts: &[] };
+        let here = Here { program: &self.program, terms: &terms, cells: &cells, facts: &[] };
         match here.value(value).ok()? {
             Value::Float(float) => {
                 terms.bits_of(float).map(u64::from).or_else(|| terms.whole_of(float).map(|value| value as u64))

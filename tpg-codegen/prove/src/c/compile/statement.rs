@@ -60,12 +60,13 @@ impl Compiler<'_> {
                 }
                 Ok(())
             }
-            "break" => {
-                let Some(scopes) = self.frame.targets.last().map(|target| target.scopes) else {
-                    return self.refuse("a loop or switch around");
-                };
-                let jump = self.jump(scopes);
-                self.frame.targets.last_mut().into_iter().for_each(|target| target.breaks.push(jump));
+            "break" | "continue" => {
+                let is_break = word == "break";
+                let target = self.frame.targets.iter().rposition(|target| is_break || target.cases.is_none());
+                let Some(target) = target else { return self.refuse("a loop or switch around") };
+                let jump = self.jump(self.frame.targets[target].scopes);
+                let JumpTarget { breaks, continues, .. } = &mut self.frame.targets[target];
+                if is_break { breaks } else { continues }.push(jump);
                 self.expect(";")
             }
             "goto" => {
@@ -119,6 +120,7 @@ impl Compiler<'_> {
         self.frame.targets.push(JumpTarget { scopes: self.scopes.len(), ..JumpTarget::default() });
         self.statement()?;
         let target = self.frame.targets.pop().unwrap_or_default();
+        self.land(&target.continues);
         let behind = std::mem::replace(&mut self.at, step);
         self.assignment()?;
         self.at = behind;

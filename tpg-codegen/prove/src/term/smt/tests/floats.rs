@@ -77,6 +77,8 @@ pub(super) fn arithmetic() -> Lemmas {
             (lemmas.terms.negate(a), lemmas.terms.magnitude(a), lemmas.terms.zero_free(a));
         lemmas.means(negated.0, |s| format!("(fp.neg {})", s.number(a)));
         lemmas.means(magnitude.0, |s| format!("(fp.abs {})", s.number(a)));
+        let root = lemmas.terms.root(a);
+        lemmas.means(root.0, |s| format!("(fp.sqrt RNE {})", s.number(a)));
         if zero_free != a {
             lemmas.claim(|s| {
                 let (a, b) = (s.number(a), s.number(zero_free));

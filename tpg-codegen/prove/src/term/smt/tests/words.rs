@@ -47,6 +47,7 @@ fn words(terms: &Terms) -> Vec<Word> {
         apply(And, u, v),
         apply(Or, u, five),
         apply(Or, u, v),
+        apply(Or, u, terms.number(0x7fc0_0000)),
         apply(Subtract, five, u),
         apply(Subtract, infinity, apply(And, p, rest)),
         apply(Subtract, p, one),
