@@ -19,7 +19,7 @@ const TRIAL: f64 = 0.25;
 /// A random search that gains less than this part of its last progress, in this part of its budget, starts again, unless more
 /// than this part is over.
 const RANDOM_PROGRESS: f64 = 0.1;
-const RANDOM_PATIENCE: f64 = 0.15;
+const RANDOM_PATIENCE: f64 = 0.05;
 const RANDOM_TOO_LATE: f64 = 0.75;
 
 /// Progress of the search for weights.
@@ -165,7 +165,7 @@ mod tests {
         let begun: std::collections::BTreeMap<_, _> = begun.collect();
         assert_eq!(
             begun,
-            [(0, 0.0), (30, 0.3), (40, 0.4)].into(),
+            [(0, 0.0), (23, 0.23), (27, 0.27), (32, 0.32), (37, 0.37), (42, 0.42)].into(),
             "a random search starts again where it has stalled, but not late"
         );
         let long = Limits { length: 20, part: 1e9, luck: None, restart: false };

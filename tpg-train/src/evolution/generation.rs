@@ -118,8 +118,11 @@ impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
         let is_search = self.config.start.share > 0.0 && state.budget.ended.is_none();
         let context = self.context(state);
         if is_search && (state.search.is_none() || state.budget.begun == state.generation) {
-            let next =
-                Search::begin(&context, state.budget.searches, state.search.as_ref()).map_err(EvaluationError::new)?;
+            let (searches, last) = (state.budget.searches, state.search.as_ref());
+            let next = match state.stalled.take_if(|before| searches == 0 && before.resumes(last)) {
+                Some(before) => before,
+                None => Search::begin(&context, searches, last).map_err(EvaluationError::new)?,
+            };
             if let Some(last) = state.search.replace(next) {
                 state.stalled = Some(match state.stalled.take() {
                     Some(before) => before.better(last),

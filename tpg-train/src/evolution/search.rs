@@ -135,6 +135,11 @@ impl Search {
             || self.toll.is_some_and(|toll| self.actions >= toll.actions && self.best <= toll.score)
     }
 
+    /// True if it should go on, although it stalled before the `last` one began: that one has found nothing better.
+    pub(super) fn resumes(&self, last: Option<&Self>) -> bool {
+        self.is_local() && !self.should_restart() && last.is_some_and(|last| self.score() > last.score())
+    }
+
     /// Returns the default number of generations.
     pub(super) fn length(&self, context: &Context<'_>) -> Result<u64, Finding> {
         Ok((GENERATIONS_PER_WEIGHT * context.writer(self.kind)?.weights() as u64).max(MIN_GENERATIONS))
@@ -315,7 +320,7 @@ impl Stage for Search {
 
 #[cfg(test)]
 mod tests {
-    use super::{Method, PRICE, Search};
+    use super::{Method, PRICE, Search, Toll};
     use crate::evolution::config::EvolutionConfig;
     use crate::evolution::stage::{Context, Moment, Results, Stage};
     use crate::evolution::vocabulary::Vocabulary;
@@ -400,6 +405,22 @@ mod tests {
         play(&mut search, &context, 1, |place| if place < 6 { (0.0, LIMIT) } else { (-8.0, 900) });
         assert!(!search.should_restart(), "there is no reward for standing still");
         assert!(begin(Some(&search)).discourages_standing(), "nor does a later search pay for falls");
+    }
+
+    #[test]
+    fn a_search_that_stalled_goes_on_where_the_next_one_is_no_better() {
+        let config = local();
+        let vocabulary = vocabulary(&config, 2);
+        let context = context(&config, &vocabulary);
+        let [better, worse] = [5.0, 3.0].map(|score| {
+            let mut search = Search::begin(&context, 0, None).expect("sums");
+            play(&mut search, &context, 0, |_| (score, 20));
+            search
+        });
+        assert!(better.resumes(Some(&worse)) && !better.resumes(None));
+        assert!(!worse.resumes(Some(&better)) && !better.resumes(Some(&better)));
+        let still = Search { next_toll: Some(Toll { price: 1.0, score: 5.0, actions: 0.0 }), ..better };
+        assert!(!still.resumes(Some(&worse)), "it has learned to stand still");
     }
 
     #[test]
