@@ -79,6 +79,30 @@ impl Kind {
         found.ok_or("an integer that is computed exactly")
     }
 
+    /// Tests whether the type holds the result of an operation of words whatever these are.
+    fn holds(self, terms: &Terms, operator: Operator, words: [Word; 2]) -> bool {
+        let width = self.width();
+        let most = i128::from(width.mask() / 2);
+        let ends = |word| match (terms.numbers(word), terms.largest(word).into()) {
+            (Some(numbers), _) => numbers.iter().map(|&number| i128::from(width.signed(number))).collect(),
+            (None, largest) if largest <= most => vec![0, largest],
+            _ => vec![-most - 1, most],
+        };
+        let [first, second] = words.map(ends);
+        let mut pairs = first.iter().flat_map(|a| second.iter().map(move |b| (*a, *b)));
+        pairs.all(|(a, b)| {
+            let result = match operator {
+                Operator::Add => a + b,
+                Operator::Subtract => a - b,
+                Operator::Multiply => a * b,
+                Operator::ShiftLeft if a >= 0 && (0..64).contains(&b) => a << b,
+                Operator::ShiftLeft => return false,
+                _ => 0,
+            };
+            (-most - 1..=most).contains(&result)
+        })
+    }
+
     /// Checks that the type holds a number wherever facts hold.
     fn holding(self, terms: &Terms, number: Float, facts: &[Bool]) -> Found<Float> {
         let end = 1_i128 << (8 * self.bytes - u8::from(self.signed));
@@ -101,6 +125,9 @@ fn integral(terms: &Terms, what: Integral, kind: Kind, values: &[Value], facts: 
     let (width, word) = (of.width(), |at: usize| values[at].bits(terms));
     Ok(Value::Word(match what {
         Integral::Divide | Integral::Remainder => return Err("a quotient of whole numbers"),
+        Integral::Apply(operator) if kind.signed && !kind.holds(terms, operator, [word(0), word(1)]) => {
+            return Err("a signed integer that holds the result");
+        }
         Integral::Apply(operator) => terms.apply(operator, width, word(0), word(1)),
         Integral::Same => terms.word_of(terms.same(width, word(0), word(1))),
         Integral::Below => terms.word_of(terms.below(kind.signed, width, word(0), word(1))),

@@ -64,7 +64,7 @@ impl fmt::Display for Proof {
                 write!(f, "different: the code answers {found} instead of {expected} for [{}]", state.join(", "))?;
             }
         }
-        if self.in_range == Some(true) {
+        if self.in_range == Some(true) && matches!(self.verdict, Proven) {
             write!(f, "; every answer is a number in its range for {inputs}")?;
         }
         Ok(())

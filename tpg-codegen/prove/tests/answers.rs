@@ -19,6 +19,11 @@ const GRAPH: &str = r#"{ "format": "tpg-graph", "version": 1, "scalar": "f32", "
 
 const HEAD: &str = "#include <stdint.h>
 #include <math.h>
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize(\"fp-contract=off\") /* GCC fuses in GNU modes */
+#else
+#pragma STDC FP_CONTRACT OFF
+#endif
 typedef struct state { float x; float y[2]; } state_t;
 enum action { LEFT, RIGHT, STAY };
 ";
@@ -103,7 +108,7 @@ fn a_difference_has_a_state() {
 fn what_is_missing_is_named() {
     let none = |body: &str, what: &str| {
         let proof = proof_of(GRAPH, body);
-        assert!(matches!(&proof.verdict, Verdict::Undecided(missing) if missing.to_string().contains(what)), "{proof}");
+        assert!(matches!(&proof.verdict, Verdict::Undecided(missing) if missing.to_string().contains(what)), "{body}\n{proof}");
     };
     none(
         "uint16_t pole_infer(const state_t *s) { float best; return best > s->x ? LEFT : STAY; }",
@@ -111,9 +116,37 @@ fn what_is_missing_is_named() {
     );
     none("uint16_t pole_infer(const state_t *s) { return s->y[2] > 0.0f ? LEFT : STAY; }", "in bounds");
     none("uint16_t pole_infer(const state_t *s) { return s->x > 0.0 ? LEFT : STAY; }", "binary64");
-    none("uint16_t pole_infer(const state_t *s) { return sqrtf(s->x) > 0.0f ? LEFT : STAY; }", "`sqrtf`");
+    none("uint16_t pole_infer(const state_t *s) { return cbrtf(s->x) > 0.0f ? LEFT : STAY; }", "`cbrtf`");
     none("uint16_t pole_infer(const state_t *s) { return pole_infer(s); }", "calls itself");
     none("uint16_t pole_infer(const state_t *s) { return (uint16_t)(uint32_t)s->x; }", "range of an integer");
+    none(
+        "uint16_t pole_infer(const state_t *s) { int k = 2147483647; return k + 1 < 0 ? LEFT : STAY; }",
+        "holds the result",
+    );
+    for variable in ["static int left = 0;", "int left = 0;", "static const volatile int left = 0;"] {
+        let body = format!("{variable}\nuint16_t pole_infer(const state_t *s) {{ return left ? LEFT : STAY; }}");
+        none(&body, "other static variables may change");
+    }
+    none("uint16_t pole_infer(const state_t *s) { ((state_t *)s)->x = 1.0f; return STAY; }", "does not change");
+    for condition in ["ifdef __arm__", "ifndef NDEBUG", "if defined(__GNUC__)", "if 0\n#elif defined(__AVR__)"] {
+        let body = GOOD.replace("    if (!(best", &format!("#{condition}\n    best = 0.5f;\n#endif\n    if (!(best"));
+        none(&body, "depends on this text alone");
+    }
+    let opaque = |mask: &str| {
+        format!(
+            "static uint32_t opaque(uint32_t mask)\n{{\n#if defined(__GNUC__) && !defined(__FRAMAC__)\n\
+             uint32_t hidden = {mask};\n\n__asm__(\"\" : \"+r\"(hidden));\nreturn hidden;\n#else\nreturn mask;\n#endif\n}}\n{GOOD}"
+        )
+    };
+    assert!(matches!(proof_of(GRAPH, &opaque("mask")).verdict, Verdict::Proven));
+    none(&opaque("~mask"), "depends on this text alone");
+    for pragma in ["STDC FP_CONTRACT ON", "GCC optimize(\"fast-math\")", "pack(1)"] {
+        none(&format!("#pragma {pragma}\n{GOOD}"), "#pragma");
+    }
+    let text = format!("{}{GOOD}", HEAD.replace("#pragma GCC optimize(\"fp-contract=off\")", ""));
+    let graph = Graph::read("graph.json", GRAPH).expect("a graph");
+    let error = c::read_with("policy.c", &text, &|_| None, None, graph.interface()).expect_err("GCC fuses");
+    assert!(error.to_string().contains("against fused operations"), "{error}");
     none("#include \"absent.h\"\nuint16_t pole_infer(const state_t *s) { return 0; }", "absent.h");
 }
 

@@ -63,6 +63,10 @@ impl Code {
                 let address = terms.number_of(address).and_then(|address| u32::try_from(address).ok());
                 let variable = address.filter(|&address| address < self.program.cells);
                 let variable = variable.ok_or("a place to write to that is a constant")?;
+                let length = self.program.inputs.len() - self.interface.memory.len();
+                if self.program.inputs[..length].contains(&variable) {
+                    return Err("a state that code does not change");
+                }
                 state.cells.insert(Cell::Variable(variable), value);
             }
             Operation::Leave(scope) => self.leave(*scope, &mut state.cells),

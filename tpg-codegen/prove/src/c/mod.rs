@@ -37,7 +37,11 @@ pub fn read_with(
     function: Option<&str>,
     interface: &Interface,
 ) -> Result<Code> {
-    let compiler = Compiler::read(file, token::tokens(file, text, include)?, !interface.counts.is_empty())?;
+    let compiler = Compiler::read(
+        file,
+        token::tokens(file, text, include, interface.counts.is_empty())?,
+        !interface.counts.is_empty(),
+    )?;
     let name = match function {
         Some(name) => name.to_owned(),
         None => {
@@ -54,7 +58,7 @@ pub fn read_with(
 
 /// Executes a function of one float from a text that defines what it means.
 pub(crate) fn definition(file: &str, text: &str, name: &str, terms: &Terms, argument: Float) -> Result<Float> {
-    let compiler = Compiler::read(file, token::tokens(file, text, &|_| None)?, false)?;
+    let compiler = Compiler::read(file, token::tokens(file, text, &|_| None, false)?, false)?;
     let (sources, outputs) = (vec![("x".to_owned(), 1)], vec!["y".to_owned()]);
     let interface = Interface { sources, outputs, ..Interface::default() };
     Code::new(file, compiler.policy(name, &interface)?, &interface).of_float(terms, argument)

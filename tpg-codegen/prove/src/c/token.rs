@@ -53,16 +53,86 @@ struct Preprocessor<'a> {
     macros: HashMap<String, Macro>,
     tokens: Vec<Placed>,
     depth: u32,
+    /// The pragmas so far, each with the number of tokens before it
+    pragmas: HashMap<String, usize>,
+}
+
+/// An open condition.
+struct Condition {
+    /// The text is active
+    active: bool,
+    /// Some branch was
+    taken: bool,
+    /// The place of its beginning, if it depends on a macro that the text does not define
+    foreign: Option<String>,
+    has_else: bool,
+    /// The lines of its branches
+    branches: Vec<Vec<String>>,
+}
+
+/// Pragmas that ask for what C defines: no fused operations.
+const PRAGMAS: [&str; 4] = [UNFUSED[0], UNFUSED[1], "#pragma fp_contract(off)", "#pragma clang fp reassociate(off)"];
+
+/// Those that forbid GCC and other compilers to fuse.
+const UNFUSED: [&str; 2] = ["#pragma GCC optimize(\"fp-contract=off\")", "#pragma STDC FP_CONTRACT OFF"];
+
+/// Branches that mean the same.
+const ALIKE: [[&str; 2]; 4] = [
+    ["extern \"C\" {", ""],
+    ["}", ""],
+    ["uint32_t hidden = mask;\n__asm__(\"\" : \"+r\"(hidden));\nreturn hidden;", "return mask;"],
+    ["float root;\n__asm__(\"vsqrt.f32 %0, %1\" : \"=t\"(root) : \"t\"(x));\nreturn root;", "return sqrtf(x);"],
+];
+
+/// What a macro may stand for that not every compiler defines: attributes, and the tables of an AVR.
+const ATTRIBUTES: [&str; 9] = [
+    "",
+    "static inline",
+    "static inline __attribute__((always_inline))",
+    "static __attribute__((noinline))",
+    "PROGMEM",
+    "(*(place))",
+    "((int8_t)pgm_read_byte(place))",
+    "((int16_t)pgm_read_word(place))",
+    "((int32_t)pgm_read_dword(place))",
+];
+
+impl Condition {
+    /// Checks that all branches mean the same, if the text does not say which one a compiler takes.
+    fn check(mut self) -> Result<()> {
+        let Some(place) = self.foreign else { return Ok(()) };
+        if !self.has_else {
+            self.branches.push(Vec::new());
+        }
+        let quiet = |line: &String| match line.strip_prefix("#define ").map(|define| define.split_once(' ')) {
+            Some(define) => ATTRIBUTES.contains(&define.map_or("", |(_, value)| value.trim())),
+            None => {
+                line.starts_with("#error") || line == "#include <avr/pgmspace.h>" || PRAGMAS.contains(&line.as_str())
+            }
+        };
+        let texts: Vec<String> = self.branches.iter().map(|lines| lines.join("\n")).collect();
+        if self.branches.iter().flatten().all(quiet) || ALIKE.iter().any(|alike| texts == *alike) {
+            return Ok(());
+        }
+        Err(Missing::new(place, "a condition that depends on this text alone"))
+    }
 }
 
 /// The tokens of a file and of what it includes.
-pub(super) fn tokens(file: &str, text: &str, include: Include<'_>) -> Result<Vec<Placed>> {
-    let mut preprocessor = Preprocessor { include, macros: HashMap::new(), tokens: Vec::new(), depth: 0 };
+pub(super) fn tokens(file: &str, text: &str, include: Include<'_>, has_floats: bool) -> Result<Vec<Placed>> {
+    let (macros, pragmas) = (HashMap::new(), HashMap::new());
+    let mut preprocessor = Preprocessor { include, macros, tokens: Vec::new(), depth: 0, pragmas };
     for (name, value) in STANDARD {
         let value = line_tokens(file, value, 0)?;
         preprocessor.macros.insert(name.to_owned(), (None, value));
     }
     preprocessor.file(file, text)?;
+    let is_body = |pair: &[Placed]| pair[0].token == Sign(")") && pair[1].token == Sign("{");
+    let code = preprocessor.tokens.windows(2).position(is_body).unwrap_or(usize::MAX);
+    let forbidden = |pragma: &&str| preprocessor.pragmas.get(*pragma).is_some_and(|&before| before <= code);
+    if has_floats && !UNFUSED.iter().all(forbidden) {
+        return Err(Missing::new(file, "the pragmas of generated code against fused operations, before all functions"));
+    }
     let line = preprocessor.tokens.last().map_or(1, |last| last.line);
     preprocessor.tokens.push(Placed { token: End, line });
     Ok(preprocessor.tokens)
@@ -116,11 +186,27 @@ impl Preprocessor<'_> {
         if self.depth > 16 {
             return Err(Missing::new(file, "files that include each other"));
         }
-        // for each open condition: the text is active, some branch was
-        let mut conditions: Vec<(bool, bool)> = Vec::new();
-        for (number, text) in (1..).zip(plain(text).lines()) {
+        let mut conditions: Vec<Condition> = Vec::new();
+        let plain = plain(text);
+        let mut lines = (1..).zip(plain.lines()).peekable();
+        while let Some((number, text)) = lines.next() {
             let place = || format!("{file}:{number}");
-            let active = conditions.iter().all(|&(active, _)| active);
+            let active = conditions.iter().all(|condition| condition.active);
+            let mut line = text.split_whitespace().collect::<Vec<_>>().join(" ");
+            if line.starts_with("# ") {
+                line.remove(1);
+            }
+            let ends = ["#elif", "#else", "#endif"].iter().any(|word| line.starts_with(word));
+            // what is in a branch belongs to the innermost condition that the text reaches
+            let reached = conditions.iter().position(|condition| !condition.active).unwrap_or(conditions.len());
+            let open = if ends { conditions.len().saturating_sub(1) } else { conditions.len() };
+            for condition in conditions[..open.min(reached + 1)].iter_mut().filter(|_| !line.is_empty()) {
+                condition.branches.last_mut().into_iter().for_each(|branch| branch.push(line.clone()));
+            }
+            let is_possible = conditions.iter().all(|condition| condition.active || condition.foreign.is_some());
+            if is_possible && PRAGMAS.contains(&line.as_str()) {
+                self.pragmas.entry(line.clone()).or_insert(self.tokens.len());
+            }
             let Some(directive) = text.trim_start().strip_prefix('#') else {
                 if active {
                     let expanded = self.expanded(line_tokens(file, text, number)?, &mut HashSet::new());
@@ -138,18 +224,34 @@ impl Preprocessor<'_> {
                             "if" => self.condition(&place(), rest)? != 0,
                             _ => self.macros.contains_key(rest) == (word == "ifdef"),
                         };
-                    conditions.push((holds, holds));
+                    let defines = lines.peek().is_some_and(|next| next.1.trim() == format!("#define {rest}"));
+                    let is_known = word == "ifndef" && (defines || rest.ends_with("_NO_SELFTEST"));
+                    conditions.push(Condition {
+                        active: holds,
+                        taken: holds,
+                        foreign: (active && !is_known && self.is_foreign(rest)).then(place),
+                        has_else: false,
+                        branches: vec![Vec::new()],
+                    });
                 }
                 "elif" | "else" => {
-                    let Some((_, taken)) = conditions.pop() else {
+                    let Some(mut condition) = conditions.pop() else {
                         return Err(Missing::new(place(), "the #if of an #else"));
                     };
-                    let outer = conditions.iter().all(|&(active, _)| active);
-                    let holds = outer && !taken && (word == "else" || self.condition(&place(), rest)? != 0);
-                    conditions.push((holds, taken || holds));
+                    let outer = conditions.iter().all(|condition| condition.active);
+                    condition.active =
+                        outer && !condition.taken && (word == "else" || self.condition(&place(), rest)? != 0);
+                    condition.taken |= condition.active;
+                    if outer && self.is_foreign(rest) {
+                        condition.foreign.get_or_insert_with(place);
+                    }
+                    condition.has_else |= word == "else";
+                    condition.branches.push(Vec::new());
+                    conditions.push(condition);
                 }
                 "endif" => {
-                    conditions.pop().ok_or_else(|| Missing::new(place(), "the #if of an #endif"))?;
+                    let condition = conditions.pop();
+                    condition.ok_or_else(|| Missing::new(place(), "the #if of an #endif"))?.check()?;
                 }
                 _ if !active => {}
                 "include" => {
@@ -170,13 +272,19 @@ impl Preprocessor<'_> {
                     let names = names.map(|names| names.into_iter().map(|name| name.token).filter(is_name).collect());
                     self.macros.insert(name.to_owned(), (names, line_tokens(file, value, number)?));
                 }
-                // the pragmas of generated code ask for what C defines: no fused operations
-                "pragma" => {}
+                "pragma" if PRAGMAS.contains(&line.as_str()) => {}
                 _ => return Err(Missing::new(place(), format!("#{word} {rest}"))),
             }
         }
         self.depth -= 1;
         Ok(())
+    }
+
+    /// Tests whether a condition names a macro that the text does not define.
+    fn is_foreign(&self, condition: &str) -> bool {
+        let names = condition.split(|letter: char| !(letter.is_ascii_alphanumeric() || letter == '_'));
+        let is_name = |name: &&str| name.starts_with(|first: char| !first.is_ascii_digit()) && *name != "defined";
+        names.filter(is_name).any(|name| !self.macros.contains_key(name))
     }
 
     /// Tokens with all macros replaced but for those that this is the text of.

@@ -4,8 +4,7 @@ use super::code::{CONSTANTS, Program};
 use crate::code::{self, Computed, Expression, Found};
 use crate::machine::{Cell, Cells, Value};
 use crate::order::together;
-use crate::term::word::computed;
-use crate::term::{Bool, Node, Operator::*, Terms, Width::*, Word};
+use crate::term::{Bool, Node, Operator::Add, Terms, Width::W32, Word};
 use std::collections::BTreeSet;
 
 /// The cells where something is evaluated.
@@ -55,7 +54,7 @@ impl Here<'_> {
     /// Proves that an index is below a length.
     fn bounded(&self, index: Word, length: u32) -> Found<()> {
         let terms = self.terms;
-        if largest(terms, index) < u64::from(length) {
+        if terms.largest(index) < u64::from(length) {
             return Ok(());
         }
         let within = terms.within(index, W32, &[(0, u64::from(length) - 1)]);
@@ -80,7 +79,7 @@ impl Here<'_> {
             (Computed::Loaded(_), _) => code::loaded(terms, first, &|address| self.loaded(address)),
             (Computed::Bounded(length), _) => {
                 self.bounded(first, length)?;
-                let largest = largest(terms, first);
+                let largest = terms.largest(first);
                 let is_choice = largest < FEW && terms.numbers(first).is_none();
                 Ok(Value::Word(if is_choice { each(terms, first, largest) } else { first }))
             }
@@ -115,20 +114,4 @@ fn each(terms: &Terms, word: Word, largest: u64) -> Word {
         result = terms.choose_word(terms.same(W32, word, number), number, result);
     }
     result
-}
-
-/// A number that a word is at most.
-fn largest(terms: &Terms, word: Word) -> u64 {
-    match terms.of_word(word) {
-        Node::Number(number) => number,
-        Node::WordIf(_, a, b) => largest(terms, a).max(largest(terms, b)),
-        Node::Apply(And, _, a, b) => largest(terms, a).min(largest(terms, b)),
-        Node::Apply(ShiftRight, width, a, b) => match terms.number_of(b) {
-            Some(by) => computed(ShiftRight, width, largest(terms, a), by),
-            None => width.mask(),
-        },
-        Node::Apply(_, width, ..) => width.mask(),
-        Node::Bits(_) => W32.mask(),
-        _ => W64.mask(),
-    }
 }

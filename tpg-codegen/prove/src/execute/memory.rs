@@ -5,6 +5,7 @@ use crate::code::Found;
 use crate::elf::Address;
 use crate::machine::{Answer, Cell, Cells, Region, Value};
 use crate::term;
+use crate::thumb::SP;
 use Region::*;
 use Value::*;
 
@@ -25,8 +26,16 @@ impl Here<'_> {
                 let known = is_word && offset / 4 < interface.state_length();
                 known.then(|| Value::Float(self.terms.source(offset / 4)))
             }
+            Stack if self.is_free(offset, cells) => None,
             _ => cells.get(&Cell::Memory(region, offset, bytes)).copied(),
         }
+    }
+
+    /// Tests for a place below the stack pointer, which an interrupt may overwrite.
+    fn is_free(&self, offset: u32, cells: &Cells) -> bool {
+        let pointer = cells.get(&Cell::Register(SP)).map(|pointer| pointer.bits(self.terms));
+        let place = pointer.and_then(|pointer| self.object.located(self.terms, pointer));
+        !matches!(place, Some((Stack, lowest)) if lowest as i32 <= offset as i32)
     }
 
     pub(super) fn store(&self, cells: &mut Cells, address: term::Word, size: u8, value: Value) -> Found<()> {

@@ -99,6 +99,23 @@ impl Terms {
         Some(numbers)
     }
 
+    /// A number that a word is at most.
+    #[must_use]
+    pub fn largest(&self, word: Word) -> u64 {
+        match self.of_word(word) {
+            Number(number) => number,
+            WordIf(_, a, b) => self.largest(a).max(self.largest(b)),
+            Apply(Operator::And, _, a, b) => self.largest(a).min(self.largest(b)),
+            Apply(Operator::ShiftRight, width, a, b) => match self.number_of(b) {
+                Some(by) => computed(Operator::ShiftRight, width, self.largest(a), by),
+                None => width.mask(),
+            },
+            Apply(_, width, ..) => width.mask(),
+            Bits(_) => Width::W32.mask(),
+            _ => Width::W64.mask(),
+        }
+    }
+
     /// The bits of a float.
     pub fn bits(&self, float: Float) -> Word {
         match self.of_float(float) {

@@ -23,6 +23,8 @@ impl Compiler<'_> {
     /// Reads what stands before declarators: a type of one word, and the last word of storage.
     fn specifiers(&mut self) -> Result<(Type, String)> {
         let (mut ty, mut storage) = (None, String::new());
+        let mut is_volatile = false;
+        self.is_constant = false;
         while let Name(word) = self.peek().clone() {
             match self.types.get(&word) {
                 Some(known) if ty.is_none() => ty = Some(known.clone()),
@@ -31,6 +33,8 @@ impl Compiler<'_> {
                 _ => break,
             }
             self.next();
+            is_volatile |= word == "volatile";
+            self.is_constant = !is_volatile && (self.is_constant || word == "const");
             match word.as_str() {
                 "struct" => ty = Some(self.structure()?),
                 "enum" => ty = Some(self.enumeration()?),
@@ -136,6 +140,7 @@ impl Compiler<'_> {
             return self.expect(";");
         }
         if *self.peek() == Sign("=") {
+            self.constants_only(&ty)?;
             self.variable(name, ty, true)?;
             return self.expect(";");
         }
@@ -163,9 +168,18 @@ impl Compiler<'_> {
         let (ty, storage) = self.specifiers()?;
         let variable = |compiler: &mut Self| {
             let (name, ty) = compiler.declarator(ty.clone())?;
+            if storage == "static" {
+                compiler.constants_only(&ty)?;
+            }
             compiler.variable(name, ty, storage == "static")
         };
         self.list(";", variable).map(|_| ())
+    }
+
+    /// Refuses a variable that keeps a value from one call to the next.
+    fn constants_only(&self, ty: &Type) -> Result<()> {
+        let is_constant = self.is_constant && !matches!(ty, Pointer(_));
+        if is_constant { Ok(()) } else { self.refuse("a constant: other static variables may change") }
     }
 
     /// Declares a variable, whose initial value may follow. A static one is a constant.

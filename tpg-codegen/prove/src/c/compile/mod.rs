@@ -100,6 +100,8 @@ pub(super) struct Compiler<'t> {
     calls: Vec<Rc<Function>>,
     /// Signed integers are whole numbers, and do not overflow
     exact: bool,
+    /// What is being declared is constant
+    is_constant: bool,
 }
 
 fn apply(operator: Operator, width: Width, a: Expression, b: Expression) -> Expression {
@@ -144,6 +146,7 @@ impl<'t> Compiler<'t> {
             frame: CallFrame::default(),
             calls: Vec::new(),
             exact: false,
+            is_constant: false,
         }
     }
 
