@@ -495,6 +495,30 @@ def test_hardware_in_the_loop() -> None:
         TPG("CartPole-v1").ask()
 
 
+def test_hardware_in_the_loop_may_play_shorter_episodes() -> None:
+    model, rounds = TPG(environments.Cart, settings={"start.random": 0.5, "start.share": 0.5}, seed=1), 0
+    env, refused = environments.Cart(), False
+    while model.num_timesteps < 5_000 and (candidates := model.ask()):
+        rounds += 1
+        if candidates[0]._after is not None:
+            refused = True
+            with pytest.raises(InputError, match="no observation; accepted: an episode in which predict"):
+                model.tell(candidates, [0.0] * len(candidates))
+        for candidate in candidates:
+            observation, _ = env.reset(seed=candidate.seed)
+            for _ in range(1 + (candidate.seed + rounds) % 9):
+                observation, *_ = env.step(candidate.predict(observation))
+        model.tell(candidates, [-1.0 - candidate.steps for candidate in candidates])
+    assert refused and model.num_timesteps >= 5_000
+
+
+def test_learning_after_loading_says_that_it_begins_anew(pole: TPG, tmp_path: Path) -> None:
+    pole.save(tmp_path / "pole.json")
+    loaded = TPG.load(tmp_path / "pole.json", "CartPole-v1")
+    with pytest.warns(UserWarning, match="begins a new run and replaces the policy that was loaded"):
+        loaded.learn(10_000)
+
+
 def test_a_preset_has_the_sizes_that_the_environment_needs(tmp_path: Path) -> None:
     for env, settings, random in ((environments.Cart, {}, 0.45), (environments.BoxCart, {"start.share": 0.25}, 0.25)):
         model = TPG(env, settings=settings, folder=tmp_path / str(random)).learn(2_000)
@@ -562,6 +586,8 @@ def test_a_model_is_compared_with_another_controller_on_the_same_episodes(pole: 
     bang = swing.evaluate(10, other=lambda state: np.array([2.0 if state[2] > 0 else -2.0], np.float32))
     assert bang.efforts is not None and bang.efforts[1].saturated == 1 and bang.efforts[0].saturated < 1
     assert 0 < bang.efforts[0].chatter < 1 and "saturated" in str(bang) and "this model is better" in str(bang)
+    with pytest.raises(InputError, match="a return of NaN by <lambda>"):
+        swing.evaluate(2, other=lambda _: np.array([np.nan], np.float32))
     with pytest.raises(InputError, match="other=3; accepted: a function"):
         pole.evaluate(2, other=3)
     with pytest.raises(InputError, match="other='lqr'; accepted: pid, relay, linear"):

@@ -153,6 +153,8 @@ def beside(
 ) -> Comparison:
     """Compares what two controllers have played; `name` is the environment's."""
     returns = [score for score, *_ in ours[0]], [score for score, *_ in theirs[0]]
+    if np.isnan(returns[1]).any():
+        raise InputError(f"a return of NaN by {kind}; accepted: numbers")
     differences = np.subtract(*returns)
     mean, count = float(differences.mean()), len(differences)
     deviation = float(differences.std(ddof=1)) if count > 1 else math.inf

@@ -397,6 +397,11 @@ class TPG:
             callbacks.on_rollout_start()
             return on
 
+        if self._graph is not None and self.num_timesteps == 0:
+            warnings.warn(
+                "learn() begins a new run and replaces the policy that was loaded; TPG(..., folder=, resume=True) continues a run",
+                stacklevel=2,
+            )
         if self._runs_here:
             executor, n_workers = None, 0
         episodes = self._episodes(executor, self.n_workers if n_workers is None else n_workers)
@@ -494,11 +499,12 @@ class TPG:
         # Of the rewards, only their sum is known.
         played = [(scores[place], one.steps, None, 0.0) for place, one in enumerate(asked.candidates)]
         if asked.kind == "play":
-            short = next((one for one in asked.candidates if one.steps <= max(one._after or [-1])), None)
-            if short is not None:
-                raise InputError(f"seed {short.seed}: an episode shorter than before; accepted: the same episode again")
+            silent = next((one for one in asked.candidates if one.steps == 0), None)
+            if silent is not None:
+                raise InputError(f"seed {silent.seed}: no observation; accepted: an episode in which predict() answers some")
             seen = [one._policy.moments(one._seen) for one in asked.candidates]
-            states = [[one._seen[after] for after in one._after or []] for one in asked.candidates]
+            # An episode may be shorter than when it was played first.
+            states = [[one._seen[min(after, one.steps - 1)] for after in one._after or []] for one in asked.candidates]
             asked.bench.reply(list(zip(played, seen, states, strict=True)))
         else:
             seeds = len(asked.candidates) // asked.policies

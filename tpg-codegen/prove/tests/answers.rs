@@ -108,7 +108,10 @@ fn a_difference_has_a_state() {
 fn what_is_missing_is_named() {
     let none = |body: &str, what: &str| {
         let proof = proof_of(GRAPH, body);
-        assert!(matches!(&proof.verdict, Verdict::Undecided(missing) if missing.to_string().contains(what)), "{body}\n{proof}");
+        assert!(
+            matches!(&proof.verdict, Verdict::Undecided(missing) if missing.to_string().contains(what)),
+            "{body}\n{proof}"
+        );
     };
     none(
         "uint16_t pole_infer(const state_t *s) { float best; return best > s->x ? LEFT : STAY; }",

@@ -6,7 +6,7 @@ use clap::Args;
 use std::path::PathBuf;
 use tpg_graph::command::note;
 use tpg_graph::conversion::{self, Conversion};
-use tpg_graph::error::InputError;
+use tpg_graph::error::{InputError, Place};
 use tpg_graph::states::StateSet;
 use tpg_graph::{Graph, ScalarType};
 
@@ -44,6 +44,9 @@ pub(super) struct Chosen {
 impl NumbersArgs {
     /// Reads the graph and converts it as requested; a note says how good integers are.
     pub(super) fn load(&self) -> Result<Chosen, InputError> {
+        if self.trace.is_some() && self.scalar.is_none() && self.fixed.is_none() {
+            return Err(InputError::new("--trace", Place::Whole, "no conversion", "it with --scalar or --fixed"));
+        }
         let (file, graph) = (self.graph.name(), self.graph.load()?);
         let states = || match &self.trace {
             Some(path) => StateSet::recorded(&graph, path),

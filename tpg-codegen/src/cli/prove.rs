@@ -51,6 +51,10 @@ type Files = Vec<(String, Vec<u8>)>;
 
 impl ProveArgs {
     pub(super) fn run(&self) -> Result<Verdict, CommandError> {
+        if self.symbol.is_some() && self.source.is_none() && self.object.is_none() {
+            let accepted = "it with --source or --object";
+            return Err(InputError::new("--symbol", Place::Whole, "no code", accepted).into());
+        }
         let loaded = self.graph.load()?;
         let text = loaded.to_json();
         let name = self.graph.name();

@@ -8,6 +8,7 @@ use crate::options::Options;
 use crate::verify::{Comparison, Proof, Unproven};
 use clap::Args;
 use std::fmt::Write as _;
+use std::num::NonZero;
 use std::path::PathBuf;
 use tpg_graph::command::{self, CommandError, Verdict};
 use tpg_graph::progress::Bar;
@@ -21,8 +22,8 @@ pub(super) struct VerifyArgs {
     code: CodeArgs,
     /// The number of states to compare: in the declared ranges, at their ends, and beyond, with NaN, infinities and
     /// denormals
-    #[arg(long, default_value_t = 100_000, value_name = "N")]
-    states: usize,
+    #[arg(long, default_value_t = NonZero::new(100_000).expect("a number above 0"), value_name = "N")]
+    states: NonZero<usize>,
     /// The seed of the states
     #[arg(long, default_value_t = 1, value_name = "S")]
     seed: u64,
@@ -44,7 +45,7 @@ impl VerifyArgs {
                 self.code.code(&graph, &Options { style, profile, ..options.clone() }, language)
             })
             .collect::<Result<_, _>>()?;
-        let proof = prove(&codes, self.states, self.seed)?;
+        let proof = prove(&codes, self.states.get(), self.seed)?;
         if self.json {
             let Proof { comparisons, unproven } = &proof;
             let sha256 = codes.first().map(|code| code.program.graph_sha256());

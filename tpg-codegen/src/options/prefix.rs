@@ -50,6 +50,11 @@ impl Prefix {
     }
 }
 
+/// Headers of C, which a file of the same name would hide, and crates of Rust.
+const LIBRARIES: &str = "assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign stdarg \
+    stdatomic stdbool stddef stdint stdio stdlib stdnoreturn string tgmath threads time uchar wchar wctype \
+    alloc core proc_macro std test";
+
 /// Types and traits that generated Rust imports, and those of its prelude that it names.
 const TAKEN: &str = "ActionId Clone Copy Debug Default Maths Move Own Policy Self Source System";
 
@@ -63,6 +68,9 @@ impl FromStr for Prefix {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
+        if LIBRARIES.split(' ').any(|library| library == text) {
+            return Err(format!("{text:?} names a header or crate of the standard library; accepted: another name"));
+        }
         let starts = text.starts_with(|c: char| c.is_ascii_lowercase());
         let goes_on = text.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
         if starts && goes_on && text.len() <= LONGEST + 4 {
@@ -89,6 +97,7 @@ mod tests {
             ("graph.json", "graph"),
             ("fs_final_s0.cleaned.dot", "fs_final_s0_cleaned"),
             ("-", "policy"),
+            ("math.json", "policy"),
             ("4 joints.json", "tpg_4_joints"),
             ("Ärm.json", "tpg__rm"),
         ];

@@ -95,6 +95,11 @@ impl RunFolder {
     ) -> Result<Option<T>, InputError> {
         let path = self.file(CHECKPOINT);
         let bytes = match fs::read(&path) {
+            Err(error) if error.kind() == ErrorKind::NotFound && self.file("graph.json").exists() => {
+                let folder = self.path.display().to_string();
+                let accepted = "the run's own folder, whole, or another folder";
+                return Err(InputError::new(folder, Place::Whole, "a graph.json without a checkpoint", accepted));
+            }
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
             bytes => bytes.map_err(|error| InputError::io(&path, &error, "a checkpoint that can be read"))?,
         };
@@ -174,5 +179,9 @@ mod tests {
         folder.save(FORM, "four".into()).expect("written");
         let refuse = |file: &str, _: &[u8]| Err::<(), _>(InputError::new(file, Place::Whole, "this", "that"));
         assert!(folder.load(FORM, refuse).is_err());
+        for name in [CHECKPOINT, "graph.json"] {
+            fs::remove_file(folder.file(name)).or_else(|_| fs::write(folder.file(name), "{}")).expect("written");
+        }
+        assert!(load().expect_err("a policy without its run").contains("a graph.json without a checkpoint"));
     }
 }
