@@ -14,6 +14,7 @@ pub(super) struct Bounds<'t> {
     terms: &'t Terms,
     at_most: HashMap<(Float, Float), bool>,
     within: HashMap<(Float, Float), bool>,
+    highest: HashMap<Float, Option<f32>>,
 }
 
 impl<'t> Bounds<'t> {
@@ -22,7 +23,10 @@ impl<'t> Bounds<'t> {
         let (mut seen, mut open) = (HashSet::new(), elements.to_vec());
         while let Some(term) = open.pop() {
             match terms.of_float(term) {
-                Node::Own(..) => return Some(Self { terms, at_most: HashMap::new(), within: HashMap::new() }),
+                Node::Own(..) => {
+                    let (at_most, within, highest) = (HashMap::new(), HashMap::new(), HashMap::new());
+                    return Some(Self { terms, at_most, within, highest });
+                }
                 Node::Negative(a) | Node::Magnitude(a) => open.extend(seen.insert(term).then_some(a)),
                 Node::Arithmetic(_, a, b) | Node::FloatIf(_, a, b) if seen.insert(term) => open.extend([a, b]),
                 _ => {}
@@ -36,9 +40,30 @@ impl<'t> Bounds<'t> {
         if let Some(&known) = self.at_most.get(&(a, b)) {
             return known;
         }
-        let holds = a == b || self.is_within(a, b) || self.is_sum_or_minimum_at_most(a, b);
+        let is_below = match self.terms.of_float(b) {
+            Node::Constant(bits) => self.highest(a).is_some_and(|highest| highest <= f32::from_bits(bits)),
+            _ => false,
+        };
+        let holds = a == b || is_below || self.is_within(a, b) || self.is_sum_or_minimum_at_most(a, b);
         self.at_most.insert((a, b), holds);
         holds
+    }
+
+    /// Returns a number that a term is never above, if functions and constants alone give one.
+    fn highest(&mut self, term: Float) -> Option<f32> {
+        if let Some(&known) = self.highest.get(&term) {
+            return known;
+        }
+        let highest = match self.terms.of_float(term) {
+            Node::Constant(bits) => Some(f32::from_bits(bits)),
+            Node::Own(function, ..) => LIMITS.iter().find(|(name, _)| *name == function).map(|(_, limit)| *limit),
+            // the limits of functions hold on both sides
+            Node::Negative(a) if matches!(self.terms.of_float(a), Node::Own(..)) => self.highest(a),
+            Node::Arithmetic(Add, a, b) => self.highest(a).zip(self.highest(b)).map(|(a, b)| a + b),
+            _ => None,
+        };
+        self.highest.insert(term, highest);
+        highest
     }
 
     fn is_sum_or_minimum_at_most(&mut self, a: Float, b: Float) -> bool {
