@@ -16,10 +16,10 @@ const MAX_LENGTHS: u64 = 30;
 const TOO_LATE: f64 = 0.9;
 /// The part of its budget after which a random search ends that is no better than luck.
 const TRIAL: f64 = 0.25;
-/// A random search that gains less than this part of its last progress, in this part of its budget, starts again, unless more
-/// than this part is over.
+/// A random search that gains less than this part of its last progress, in the first of these parts of its budget, starts again,
+/// unless more than the last part is over. The second part is that of searches beside which another one waits.
 const RANDOM_PROGRESS: f64 = 0.1;
-const RANDOM_PATIENCE: f64 = 0.05;
+const RANDOM_PATIENCE: [f64; 2] = [0.15, 0.05];
 const RANDOM_TOO_LATE: f64 = 0.75;
 
 /// Progress of the search for weights.
@@ -62,6 +62,8 @@ pub(super) struct Limits {
     pub luck: Option<f64>,
     /// True for one that should start again, in a run with a limit.
     pub restart: bool,
+    /// True if an earlier random search waits to go on.
+    pub waits: bool,
 }
 
 impl Budget {
@@ -78,6 +80,7 @@ impl Budget {
         let has_stalled = since(self.begun) >= limits.length
             && self.progress.is_some_and(|(last, ..)| since(last) >= (limits.length / 2).max(MIN_PATIENCE));
         let is_over = |part: f64| point.part.is_some_and(|over| over >= part * limits.part);
+        let patience = RANDOM_PATIENCE[usize::from(limits.waits)];
         if let Some(luck) = limits.luck {
             let is_lucky = point.score > luck;
             let share = |part: f64| self.part + part * (limits.part - self.part);
@@ -87,7 +90,7 @@ impl Budget {
                 self.begin_another(&point);
             } else if is_lucky
                 && (limits.restart && point.part.is_some()
-                    || self.progress.is_some_and(|(_, last, _)| now - last >= RANDOM_PATIENCE * limits.part))
+                    || self.progress.is_some_and(|(_, last, _)| now - last >= patience * limits.part))
                 && !is_over(RANDOM_TOO_LATE)
             {
                 self.begin_another(&point);
@@ -136,7 +139,7 @@ mod tests {
 
     #[test]
     fn searches_share_their_part_of_a_run() {
-        let cma = Limits { length: 20, part: 0.6, luck: None, restart: false };
+        let cma = Limits { length: 20, part: 0.6, luck: None, restart: false, waits: false };
         let random = Limits { luck: Some(50.0), ..cma };
         let (rising, flat) = (|now: u64| now as f64, |_: u64| 0.0);
         // Slow: a fifth of what was gained before is not gained within ten generations.
@@ -165,10 +168,10 @@ mod tests {
         let begun: std::collections::BTreeMap<_, _> = begun.collect();
         assert_eq!(
             begun,
-            [(0, 0.0), (23, 0.23), (27, 0.27), (32, 0.32), (37, 0.37), (42, 0.42)].into(),
+            [(0, 0.0), (30, 0.3), (40, 0.4)].into(),
             "a random search starts again where it has stalled, but not late"
         );
-        let long = Limits { length: 20, part: 1e9, luck: None, restart: false };
+        let long = Limits { length: 20, part: 1e9, luck: None, restart: false, waits: false };
         assert_eq!(run(long, true, flat).last(), Some(&600), "30 lengths at most");
     }
 }

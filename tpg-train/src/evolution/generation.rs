@@ -313,6 +313,7 @@ impl<'e, S: Scalar, E: Environment<S>> Evolution<'e, S, E> {
             part: if search.is_local() { start.random } else { start.share },
             luck: search.is_local().then_some(luck),
             restart: search.should_restart(),
+            waits: state.stalled.is_some(),
         };
         let (generation, score) = (state.generation + 1, search.score().unwrap_or(f64::NEG_INFINITY));
         state.budget.spend(Point { generation, part: self.part(state), score }, limits);
