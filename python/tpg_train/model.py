@@ -399,7 +399,7 @@ class TPG:
 
         if self._graph is not None and self.num_timesteps == 0:
             warnings.warn(
-                "learn() begins a new run and replaces the policy that was loaded; TPG(..., folder=, resume=True) continues a run",
+                "learn() begins a new run and replaces the policy that was loaded; TPG(..., folder=, resume=True) goes on",
                 stacklevel=2,
             )
         if self._runs_here:
