@@ -198,6 +198,9 @@ fn counts_are_whole_numbers_that_never_overflow() {
     };
     let proof = proof_of(COUNTED);
     assert!(matches!(proof.verdict, Verdict::Proven) && proof.in_range == Some(true), "{proof}");
+    assert!(proof.to_string().contains("every answer is a number in its range"), "{proof}");
+    let different = proof_of(&COUNTED.replacen("- 1 > 6", "- 1 > 7", 1)).to_string();
+    assert!(different.starts_with("different") && !different.contains("in its range"), "{different}");
     for (from, to) in [
         ("- 1 > 6", "- 1 > 7"),
         ("3, -5", "3, -4"),

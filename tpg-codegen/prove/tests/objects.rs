@@ -134,6 +134,26 @@ fn code_that_never_answers_is_not_proven() {
 }
 
 #[test]
+fn what_an_interrupt_may_overwrite_is_not_read() {
+    if !tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "loads below the stack pointer") {
+        return;
+    }
+    let folder = tempfile::TempDir::new().expect("a temporary folder");
+    let prefix = "-DCARTPOLE_NO_SELFTEST";
+    let source = shipped("cartpole").join("cartpole.c");
+    let source = source.to_str().expect("a path in UTF-8");
+    run(folder.path(), "arm-none-eabi-gcc", &[&CORE[..], &["-Os", prefix, "-S", source, "-o", "policy.s"]].concat());
+    let text = fs::read_to_string(folder.path().join("policy.s")).expect("it was written");
+    for (lines, is_read) in [("push {r0}\npop {r0}", true), ("str r0, [sp, #-4]\nldr r0, [sp, #-4]", false)] {
+        let text = text.replacen("cartpole_infer:", &format!("cartpole_infer:\n{lines}"), 1);
+        fs::write(folder.path().join("other.s"), text).expect("the folder can be written");
+        run(folder.path(), "arm-none-eabi-gcc", &[&CORE[..], &["-c", "other.s", "-o", "policy.o"]].concat());
+        let file = fs::read(folder.path().join("policy.o")).expect("it was written");
+        assert_eq!(prove(&file, "cartpole_infer", &graph("cartpole")).is_ok(), is_read, "{lines}");
+    }
+}
+
+#[test]
 fn files_that_are_no_objects_are_refused() {
     if !tpg_testing::tool("arm-none-eabi-gcc", "gcc-arm-none-eabi", "damaged objects") {
         return;
