@@ -4,6 +4,7 @@
 
 mod code;
 mod compile;
+mod condition;
 mod execute;
 mod token;
 mod value;
